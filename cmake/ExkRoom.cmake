@@ -1,0 +1,56 @@
+# exk_room(control SOURCES pid.c ilc.c NEEDS exk::base m)
+# One static library exk::<room> that names the rooms it needs; a call in a forbidden direction
+# does not link.
+function(exk_room name)
+    cmake_parse_arguments(ROOM "" "" "SOURCES;NEEDS;PRIVATE" ${ARGN})
+    foreach(source ${ROOM_SOURCES})
+        if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${source})
+            file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/missing.c "extern int exk_missing;\n")
+            message(STATUS "exk: TEMPORARY: ${name}/${source} is not written yet")
+            list(REMOVE_ITEM ROOM_SOURCES ${source})
+            list(APPEND ROOM_SOURCES ${CMAKE_CURRENT_BINARY_DIR}/missing.c)
+        endif()
+    endforeach()
+    list(REMOVE_DUPLICATES ROOM_SOURCES)
+    add_library(exk_${name} STATIC ${ROOM_SOURCES})
+    add_library(exk::${name} ALIAS exk_${name})
+    target_include_directories(exk_${name} PUBLIC
+        $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+        $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
+        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    target_link_libraries(exk_${name} PUBLIC ${ROOM_NEEDS}
+        PRIVATE $<BUILD_INTERFACE:exk_warnings> ${ROOM_PRIVATE})
+    set_target_properties(exk_${name} PROPERTIES EXPORT_NAME ${name})
+    set_property(GLOBAL APPEND PROPERTY EXK_ROOMS exk_${name})
+endfunction()
+
+# exk_program(exk-kin SOURCES main.c NEEDS exk::kinematics)
+function(exk_program name)
+    cmake_parse_arguments(PROGRAM "" "" "SOURCES;NEEDS" ${ARGN})
+    foreach(source ${PROGRAM_SOURCES})
+        if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${source})
+            message(STATUS "exk: TEMPORARY: program ${name} is not written yet")
+            return()
+        endif()
+    endforeach()
+    add_executable(${name} ${PROGRAM_SOURCES})
+    target_link_libraries(${name} PRIVATE ${PROGRAM_NEEDS} exk_warnings)
+    set_target_properties(${name} PROPERTIES
+        RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+    install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    set_property(GLOBAL APPEND PROPERTY EXK_PROGRAMS ${name})
+endfunction()
+
+# exk_test(unit test_pid SOURCES test_pid.c NEEDS exk::control)
+# A Unity test; its label is the folder (unit, accuracy, integration). It links what it names only.
+function(exk_test label name)
+    cmake_parse_arguments(TEST "" "" "SOURCES;NEEDS;ARGS" ${ARGN})
+    add_executable(${name} ${TEST_SOURCES})
+    target_link_libraries(${name} PRIVATE ${TEST_NEEDS} exk_unity exk_warnings m)
+    target_compile_definitions(${name} PRIVATE
+        EXK_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
+        EXK_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+        EXK_BIN_DIR="${PROJECT_BINARY_DIR}/bin")
+    add_test(NAME ${name} COMMAND ${name} ${TEST_ARGS})
+    set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT 120)
+endfunction()

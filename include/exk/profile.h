@@ -1,0 +1,100 @@
+/** A profile: one experiment, one INI text, checked as a whole.
+ *
+ *  Text    [machine] [kinematics] [job] [disturbance.N] [sensor] [control] [loop] [telemetry].
+ *          Keys carry their unit (tolerance_mm); values here are SI. One table of keys gives the
+ *          parser, the range checks, the defaults, --print, the job hash and the manual page.
+ *  Errors  every fault of a text is collected, each with line, key, what was found and what is
+ *          allowed; parse returns EXK_ERR_ARG when there is one, and the profile is not usable.
+ *  Memory  the caller owns the struct; strings are inside it. This room reads no file.
+ */
+#ifndef EXK_PROFILE_H
+#define EXK_PROFILE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "exk/err.h"
+#include "exk/feedback.h"
+#include "exk/geometry.h"
+#include "exk/hole.h"
+#include "exk/ilc.h"
+#include "exk/job.h"
+#include "exk/kinematics.h"
+#include "exk/plan.h"
+#include "exk/twin.h"
+
+enum { EXK_PATH_MAX = 512, EXK_NAME_MAX = 64 };
+
+typedef enum { EXK_JOB_RECTANGLE, EXK_JOB_GRID, EXK_JOB_CSV, EXK_JOB_COUNT } exk_job_kind;
+typedef enum { EXK_ORDER_LISTED, EXK_ORDER_SERPENTINE, EXK_ORDER_COUNT } exk_hole_order;
+typedef enum { EXK_FROM_TWIN, EXK_FROM_REPLAY, EXK_FROM_COUNT } exk_joint_from;
+
+typedef struct {
+    exk_job_kind kind;
+    exk_pattern pattern;
+    char file[EXK_PATH_MAX]; /* csv: relative to the profile's folder */
+    exk_hole_order order;
+    double row_gap_m;
+    double tolerance_m;
+    exk_plan_config plan; /* dt_s filled from [loop] rate_Hz */
+} exk_job_config;
+
+typedef struct {
+    double rate_Hz;
+    double dt_s; /* 1 / rate_Hz */
+    uint64_t seed;
+    exk_joint_from from;
+    char replay_file[EXK_PATH_MAX];
+    int n_missed_max; /* missed deadlines in a row that are a fault */
+    int n_bad_max;    /* bad sensor samples in a row that are a fault */
+    int priority;     /* SCHED_FIFO, 0: do not ask */
+    int cpu;          /* -1: any */
+    double spin_s;    /* spin the last part of each wait, 0: sleep only */
+} exk_timing_config;
+
+typedef struct {
+    char url[EXK_PATH_MAX];
+    int every;      /* publish every n-th pose */
+    int ring_slots; /* power of two */
+    double status_Hz;
+} exk_telemetry_config;
+
+typedef struct {
+    char name[EXK_NAME_MAX]; /* the file's name without folder and .ini; set by the caller */
+    exk_geometry geometry;
+    exk_wrist_kind wrist;
+    exk_kin_model model;
+    exk_job_config job;
+    exk_twin_config twin;
+    exk_feedback_config feedback;
+    exk_ilc_config ilc;
+    exk_timing_config timing;
+    exk_telemetry_config telemetry;
+} exk_profile;
+
+/** One fault of a text. line 0: the fault belongs to no line (a missing key). */
+typedef struct {
+    int line;
+    char message[256]; /* what, found, allowed, what to do; no file name, no trailing newline */
+} exk_fault;
+
+exk_profile exk_profile_default(void);
+
+/** Reads a whole text. faults is filled in line order up to capacity; n_faults counts them all. */
+exk_err exk_profile_parse(const char *text, exk_profile *profile, exk_fault *faults,
+                          size_t capacity, size_t *n_faults);
+
+/** Writes the effective profile as a text that parse reads back to the same bits. Returns the
+ *  length needed without the final NUL, like snprintf. */
+size_t exk_profile_print(const exk_profile *profile, char *out, size_t size);
+
+/** The canonical text that the job hash covers: [machine], [kinematics], [job], dt_s and the
+ *  holes, so that seed, noise, telemetry and gains may change. Returns the length as above. */
+size_t exk_profile_job_text(const exk_profile *profile, const exk_hole *holes, size_t n_holes,
+                            char *out, size_t size);
+
+/** The table of keys as text for people: section, key, unit, range, default, meaning. */
+size_t exk_profile_manual(char *out, size_t size);
+
+#endif

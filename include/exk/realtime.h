@@ -1,0 +1,66 @@
+/** Real time on a POSIX host: the tick grid, rights, and deadline figures.
+ *
+ *  Grid     tick k is due at t0 + k*period_ns on CLOCK_MONOTONIC, integers only: never drifts.
+ *  Wait     clock_nanosleep to the absolute time, then an optional spin of the last part.
+ *  Missed   a tick whose whole period has passed is skipped: next tick = the first not yet past;
+ *           no burst to catch up.
+ *  Clock    injected (exk_clock), so that the policy is tested without wall time.
+ *  Figures  fixed bins, four a factor of two from 64 ns up, relaxed atomics: one writer, any reader.
+ *  Memory   plain structs, no allocation.
+ */
+#ifndef EXK_REALTIME_H
+#define EXK_REALTIME_H
+
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct {
+    int64_t (*now_ns)(void *ctx);
+    void (*sleep_until_ns)(void *ctx, int64_t t_ns);
+    void *ctx;
+} exk_clock;
+
+exk_clock exk_clock_monotonic(void);
+
+typedef struct {
+    exk_clock clock;
+    int64_t t0_ns;
+    int64_t period_ns;
+    int64_t spin_ns;
+    int64_t k;           /* tick last waited for, -1 before the first */
+    int64_t n_missed;    /* ticks skipped in all */
+    int n_missed_row;    /* ticks skipped since the last one on time */
+    int64_t lateness_ns; /* of the last tick */
+} exk_pacer;
+
+void exk_pacer_start(exk_pacer *pacer, exk_clock clock, int64_t period_ns, int64_t spin_ns);
+
+/** Waits for the next tick and returns its k. */
+int64_t exk_pacer_next(exk_pacer *pacer);
+
+enum { EXK_HIST_BINS = 128 };
+
+typedef struct {
+    _Atomic uint64_t bin[EXK_HIST_BINS];
+    _Atomic uint64_t n;
+    _Atomic int64_t max_ns;
+} exk_histogram;
+
+void exk_histogram_add(exk_histogram *hist, int64_t value_ns);
+int64_t exk_histogram_quantile_ns(const exk_histogram *hist,
+                                  double p); /* upper edge of the bin */
+
+typedef struct {
+    bool fifo;
+    bool locked;
+    bool pinned;
+    bool slack;
+    char text[128]; /* "FIFO 80, memory locked, CPU 1" or what was refused and why */
+} exk_rights;
+
+/** Asks for SCHED_FIFO, locked memory, an affinity and 1 ns of timer slack; goes on without. */
+void exk_rights_ask(int priority, int cpu, exk_rights *out);
+
+#endif

@@ -1,0 +1,50 @@
+/** Digital twin of the two driven angles.
+ *
+ *  x[k]     = a x[k-1] + (1 - a) q[k],  a = exp(-dt/tau), a = 0 for tau = 0, x[-1] = q[0]
+ *  theta[k] = x[k] + sum of the disturbances n[k]
+ *  m[k]     = round((theta[k] + v[k]) / quantum) * quantum;  v normal, sigma; quantum 0: no rounding
+ *  Ticks that were skipped are integrated with the last command held (architecture.md section 7).
+ *  Units    radians, seconds.
+ *  Errors   init: EXK_ERR_ARG (dt not > 0, tau, sigma or quantum negative or not finite, a
+ *           disturbance refused), EXK_ERR_SIZE (more than EXK_MAX_DISTURBANCES).
+ *           step: cannot fail; a command that is not finite leaves the servo where it is.
+ *  Memory   the caller owns the struct; no pointer kept.
+ */
+#ifndef EXK_TWIN_H
+#define EXK_TWIN_H
+
+#include <stddef.h>
+
+#include "exk/disturbance.h"
+#include "exk/source.h"
+
+enum { EXK_MAX_DISTURBANCES = 8 };
+
+typedef struct {
+    double dt_s;
+    double servo_tau_s;
+    double sensor_sigma_rad;
+    double sensor_quantum_rad;
+    bool sensor_frozen;
+    exk_disturbance_config disturbance[EXK_MAX_DISTURBANCES];
+    size_t n_disturbances;
+} exk_twin_config;
+
+typedef struct {
+    exk_twin_config cfg; /* fixed by init */
+    exk_disturbance disturbance[EXK_MAX_DISTURBANCES];
+    exk_stream sensor[EXK_N_AXES];
+    double pole;                  /* a */
+    double servo_rad[EXK_N_AXES]; /* x */
+    int64_t k;                    /* tick of the state, -1 before the first */
+} exk_twin;
+
+exk_twin_config exk_twin_default(void);
+exk_err exk_twin_init(exk_twin *twin, const exk_twin_config *cfg, exk_realisation which);
+void exk_twin_reset(exk_twin *twin);
+void exk_twin_step(exk_twin *twin, int64_t k, const double q_rad[EXK_N_AXES], exk_reading *out);
+
+/** The twin as a joint source; twin must outlive it. */
+exk_source exk_twin_source(exk_twin *twin);
+
+#endif
