@@ -16,6 +16,7 @@ typedef enum {
     EXK_ERR_LIMIT,       /* reachable, but a leg, an angle or a rate leaves its limit */
     EXK_ERR_SENSOR,      /* too many bad sensor samples in a row */
     EXK_ERR_END,         /* a source has no further samples */
+    EXK_ERR_OVERRUN,     /* too many deadlines missed in a row */
     EXK_ERR_COUNT
 } exk_err;
 

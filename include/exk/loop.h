@@ -6,8 +6,10 @@
  *  Guard   a sample that is not finite, not fresh, or beyond angle_max_rad is rejected and counted;
  *          m and the correction of the last good sample are held; n_bad_max in a row are a fault.
  *  Clock   none: the caller says which tick k it is; ticks may be skipped, never repeated.
- *  Errors  init: EXK_ERR_ARG, EXK_ERR_SIZE. step: the inverse's or the source's code, or
- *          EXK_ERR_SENSOR; the sample is filled as far as known and state is EXK_STATE_FAULT.
+ *  Errors  init: EXK_ERR_ARG (a pointer missing, angle_max or n_bad_max not > 0, gains refused),
+ *          EXK_ERR_SIZE (a stored correction of no length). step: the code of the inverse, the legs
+ *          or the source, or EXK_ERR_SENSOR; the state is then EXK_STATE_FAULT and every later step
+ *          returns the last good sample at its own tick with the same code, until reset.
  *  Memory  the caller owns every struct and lends kin, plan and u; kept until the loop is dropped.
  */
 #ifndef EXK_LOOP_H
@@ -72,11 +74,16 @@ typedef struct {
     int n_bad_row;
     int64_t n_bad; /* rejected samples in all */
     exk_state state;
+    exk_err fault;   /* why the state is EXK_STATE_FAULT */
+    exk_sample last; /* the last good step: held under a fault */
 } exk_loop;
 
 exk_err exk_loop_init(exk_loop *loop, const exk_loop_config *cfg);
 void exk_loop_reset(exk_loop *loop);
 exk_err exk_loop_step(exk_loop *loop, int64_t k, exk_sample *out);
+
+/** Puts the loop into EXK_STATE_FAULT from outside (missed deadlines); the first fault stays. */
+void exk_loop_fail(exk_loop *loop, exk_err why);
 
 const char *exk_state_name(exk_state state); /* never NULL */
 

@@ -29,10 +29,10 @@ typedef struct {
     int64_t t0_ns;
     int64_t period_ns;
     int64_t spin_ns;
-    int64_t k;           /* tick last waited for, -1 before the first */
-    int64_t n_missed;    /* ticks skipped in all */
-    int n_missed_row;    /* ticks skipped since the last one on time */
-    int64_t lateness_ns; /* of the last tick */
+    int64_t k;            /* tick last waited for, -1 before the first */
+    int64_t n_missed;     /* ticks skipped in all */
+    int64_t n_missed_row; /* ticks skipped just before this one */
+    int64_t lateness_ns;  /* of the last tick */
 } exk_pacer;
 
 void exk_pacer_start(exk_pacer *pacer, exk_clock clock, int64_t period_ns, int64_t spin_ns);
