@@ -60,7 +60,11 @@ typedef struct {
     char text[128]; /* "FIFO 80, memory locked, CPU 1" or what was refused and why */
 } exk_rights;
 
-/** Asks for SCHED_FIFO, locked memory, an affinity and 1 ns of timer slack; goes on without. */
+/** Asks for SCHED_FIFO, locked memory, an affinity and 1 ns of timer slack for the calling thread;
+ *  goes on without. */
 void exk_rights_ask(int priority, int cpu, exk_rights *out);
+
+/** Makes the calling thread an ordinary one on any CPU: for a helper thread started after the asking. */
+void exk_rights_drop(void);
 
 #endif

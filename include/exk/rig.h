@@ -10,6 +10,7 @@
 
 #include "exk/loop.h"
 #include "exk/profile.h"
+#include "exk/replay.h"
 #include "exk/twin.h"
 
 typedef struct {
@@ -21,6 +22,7 @@ typedef struct {
     exk_kin kin;
     exk_plan plan;
     exk_twin twin;
+    exk_replay replay; /* when the profile reads its angles from a log */
     exk_loop loop;
 } exk_rig;
 

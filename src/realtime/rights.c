@@ -56,3 +56,12 @@ void exk_rights_ask(int priority, int cpu, exk_rights *out)
     snprintf(out->text, sizeof out->text, "%s, %s, %s", fifo,
              out->locked ? "memory locked" : "memory lock refused", pinned);
 }
+
+void exk_rights_drop(void)
+{
+    const struct sched_param ordinary = {.sched_priority = 0};
+    cpu_set_t all;
+    memset(&all, 0xff, sizeof all);
+    sched_setscheduler(0, SCHED_OTHER, &ordinary);
+    sched_setaffinity(0, sizeof all, &all);
+}

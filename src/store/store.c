@@ -54,7 +54,10 @@ static uint32_t crc_of(const unsigned char *bytes, size_t n)
 
 uint64_t exk_store_hash(const char *text, size_t length)
 {
-    unsigned char hash[16];
+    unsigned char hash[16] = {0};
+    if (sodium_init() < 0) {
+        return 0;
+    }
     crypto_generichash(hash, sizeof hash, (const unsigned char *)text, length, NULL, 0);
     return get(hash, 8);
 }

@@ -47,6 +47,7 @@ unsigned char *store_file_read(const char *path, size_t *n_bytes, char *why, siz
 {
     struct stat info;
     unsigned char *bytes = NULL;
+    errno = 0;
     const int fd = open(path, O_RDONLY | O_CLOEXEC);
     if (fd < 0 || fstat(fd, &info) != 0 || !S_ISREG(info.st_mode) || info.st_size > largest) {
         errno = fd >= 0 && errno == 0 ? EINVAL : errno;

@@ -1,0 +1,142 @@
+#include "options.h"
+
+#include <argp.h>
+#include <errno.h>
+#include <stdlib.h>
+
+#include "exk/version.h"
+
+enum {
+    KEY_FAST = 256,
+    KEY_CHECK,
+    KEY_PRINT,
+    KEY_ILC,
+    KEY_RUN,
+    KEY_SERIES,
+    KEY_URL,
+    KEY_BUS,
+    KEY_NO_BUS
+};
+
+static const char doc[] =
+    "Runs the controller of a profile: in real time on the LCM bus, or unpaced with --fast."
+    "\v"
+    "Examples:\n"
+    "  exk-loop profiles/rectangle.ini                       in real time, on the bus\n"
+    "  exk-loop profiles/rectangle.ini --fast -r run.lcm     unpaced, to a log file\n"
+    "  exk-loop profiles/rectangle_ilc.ini --fast --ilc rectangle.ilc -r run2.lcm\n"
+    "\n"
+    "Watch it with exk-spy, record it with exk-log, judge it with exk-holes. Ctrl-C ends a "
+    "run\n"
+    "cleanly: the log is complete.\n"
+    "\n"
+    "Exit status: 0 the job was run to its end, 1 it ended by fault or signal, 2 wrong use or "
+    "a\n"
+    "profile, job or store that is refused, 3 input or output failed.";
+
+static const struct argp_option options[] = {
+    {"fast", KEY_FAST, NULL, 0, "Unpaced, on virtual time; off the bus unless --bus is given",
+     0},
+    {"check", KEY_CHECK, NULL, 0, "Check the profile and its job, start nothing", 0},
+    {"print", KEY_PRINT, NULL, 0, "Print the effective profile, start nothing", 0},
+    {"record", 'r', "FILE", 0, "Write an LCM event log", 0},
+    {"ilc", KEY_ILC, "FILE", 0, "Apply the stored correction of FILE", 0},
+    {"run", KEY_RUN, "P", 0,
+     "Repetition within a series, 1, 2, ... (default: the store's, or 1)", 0},
+    {"series", KEY_SERIES, "I", 0, "Series (trial) of the random numbers (default 0)", 0},
+    {"url", KEY_URL, "URL", 0, "LCM URL in place of the profile's", 0},
+    {"bus", KEY_BUS, NULL, 0, "Publish in --fast as well", 0},
+    {"no-bus", KEY_NO_BUS, NULL, 0, "Publish nothing", 0},
+    {"quiet", 'q', NULL, 0, "No progress and no notes", 0},
+    {0},
+};
+
+static uint32_t count(struct argp_state *state, const char *what, const char *arg, uint32_t min)
+{
+    char *end = NULL;
+    errno = 0;
+    const unsigned long long value = strtoull(arg, &end, 10);
+    if (errno != 0 || end == arg || *end != '\0' || arg[0] == '-' || value < min ||
+        value > UINT32_MAX) {
+        argp_error(state, "--%s %s: a whole number from %u to %u is allowed", what, arg, min,
+                   UINT32_MAX);
+    }
+    return (uint32_t)value;
+}
+
+static error_t parse_flag(int key, loop_options *out)
+{
+    switch (key) {
+    case KEY_FAST:
+        out->fast = true;
+        return 0;
+    case KEY_CHECK:
+        out->check = true;
+        return 0;
+    case KEY_PRINT:
+        out->print = true;
+        return 0;
+    case KEY_BUS:
+        out->on_bus = true;
+        return 0;
+    case KEY_NO_BUS:
+        out->off_bus = true;
+        return 0;
+    case 'q':
+        out->quiet = true;
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static error_t parse_value(int key, char *arg, struct argp_state *state, loop_options *out)
+{
+    switch (key) {
+    case 'r':
+        out->record_path = arg;
+        return 0;
+    case KEY_ILC:
+        out->ilc_path = arg;
+        return 0;
+    case KEY_URL:
+        out->url = arg;
+        return 0;
+    case KEY_RUN:
+        out->run = count(state, "run", arg, 1);
+        return 0;
+    case KEY_SERIES:
+        out->series = count(state, "series", arg, 0);
+        return 0;
+    default:
+        return parse_flag(key, out);
+    }
+}
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    loop_options *out = state->input;
+    if (key == ARGP_KEY_ARG) {
+        if (out->profile_path != NULL) {
+            argp_error(state, "one PROFILE is allowed, found a second: %s", arg);
+        }
+        out->profile_path = arg;
+        return 0;
+    }
+    if (key == ARGP_KEY_NO_ARGS) {
+        argp_error(state, "a PROFILE is missing, for example profiles/rectangle.ini");
+    }
+    if (key == ARGP_KEY_END && out->on_bus && out->off_bus) {
+        argp_error(state, "--bus and --no-bus exclude each other");
+    }
+    return parse_value(key, arg, state, out);
+}
+
+void loop_options_parse(int argc, char **argv, loop_options *out)
+{
+    static const struct argp argp = {options, parse, "PROFILE", doc, NULL, NULL, NULL};
+    argp_program_version = "exk-loop " EXK_VERSION;
+    argp_err_exit_status = 2;
+    *out = (loop_options){.profile_path = NULL};
+    argp_parse(&argp, argc, argv, 0, NULL, out);
+}

@@ -1,0 +1,70 @@
+#define _POSIX_C_SOURCE 200809L
+#include "summary.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "exk/units.h"
+
+static void print_accuracy(const loop_ending *ending)
+{
+    const exk_accuracy *accuracy = &ending->summary->accuracy;
+    const exk_rig *rig = ending->rig;
+    const double tolerance_mm = rig->profile.job.tolerance_m * EXK_MM_PER_M;
+    printf("%s: %zu of %zu holes drilled, %zu inside %.3f mm", rig->profile.name,
+           accuracy->n_drilled, rig->n_holes, accuracy->n_inside, tolerance_mm);
+    if (accuracy->worst >= 0) {
+        printf(", mean %.4f mm, worst hole %" PRId32 " with %.4f mm",
+               accuracy->mean_m * EXK_MM_PER_M, rig->holes[accuracy->worst].id,
+               accuracy->max_m * EXK_MM_PER_M);
+    }
+    printf(" (judged on the %s tip)\n", ending->record->sample.has_true ? "true" : "estimated");
+}
+
+static void print_counts(const loop_ending *ending)
+{
+    const exk_record *record = ending->record;
+    printf("%" PRId64 " ticks of %.6g s, %" PRId64 " missed, %" PRId64 " bad samples, %" PRId64
+           " poses published, %" PRId64 " dropped by the ring\n",
+           record->sample.k + 1, ending->rig->plan.cfg.dt_s, ending->n_missed, record->n_bad,
+           ending->summary->n_poses, ending->summary->n_dropped);
+}
+
+static void print_histogram(const char *what, const exk_histogram *hist)
+{
+    printf("%s p50 %.1f us, p99 %.1f us, p99.9 %.1f us, max %.1f us\n", what,
+           1e-3 * (double)exk_histogram_quantile_ns(hist, 0.5),
+           1e-3 * (double)exk_histogram_quantile_ns(hist, 0.99),
+           1e-3 * (double)exk_histogram_quantile_ns(hist, 0.999),
+           1e-3 * (double)exk_histogram_quantile_ns(hist, 1.0));
+}
+
+static void print_fault(const loop_ending *ending)
+{
+    const exk_sample *sample = &ending->record->sample;
+    fprintf(stderr,
+            "exk-loop: fault at tick %" PRId64 ", %s of hole %" PRId32
+            ": %s; the last good command was held\n",
+            ending->k_fault, exk_phase_name(sample->phase), sample->hole_id,
+            exk_err_name((exk_err)ending->record->fault));
+}
+
+void loop_summary_print(const loop_ending *ending, bool quiet)
+{
+    print_accuracy(ending);
+    if (!quiet) {
+        print_counts(ending);
+    }
+    if (!quiet && ending->lateness != NULL) {
+        print_histogram("wake-up lateness", ending->lateness);
+        print_histogram("step time       ", ending->step_time);
+    }
+    if (ending->k_fault >= 0) {
+        print_fault(ending);
+    }
+    if (ending->signal != 0) {
+        fprintf(stderr, "exk-loop: stopped by %s at tick %" PRId64 "; the log is complete\n",
+                strsignal(ending->signal), ending->record->sample.k);
+    }
+}
