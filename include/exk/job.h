@@ -2,11 +2,13 @@
  *
  *  rectangle  corners (-w/2,-h/2) (w/2,-h/2) (w/2,h/2) (-w/2,h/2) about the centre, ids 1 to 4.
  *  grid       rows x columns points spread over width x height, row by row from the lowest y,
- *             every second row backwards (serpentine), ids in that order from 1.
+ *             every second row backwards (serpentine), ids in that order from 1. A single row or
+ *             column stands at the centre.
  *  serpentine a list in rows: sorted by y, a new row where y jumps by more than row_gap_m,
- *             odd rows by rising x, even rows by falling x. Ids stay with their holes.
+ *             odd rows by rising x, even rows by falling x, ties by id. Ids stay with their holes.
  *  Axis       (0, 0, 1). Units metres, base frame.
- *  Errors     EXK_ERR_ARG (size not finite or not > 0, count < 1), EXK_ERR_SIZE (array too short).
+ *  Errors     EXK_ERR_ARG (size not finite or not > 0, count < 1, row_gap_m negative, a target not
+ *             finite), EXK_ERR_SIZE (array too short).
  *  Memory     the caller lends the array.
  */
 #ifndef EXK_JOB_H

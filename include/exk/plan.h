@@ -2,15 +2,23 @@
  *
  *  Path    first hole -> ... -> last hole (-> back over the first, when closed). At each hole:
  *          approach along the axis by clearance_m, dwell, drill stroke_m, retract to clearance.
- *          Travel runs between the retracted points. A phase of no length takes no tick.
- *  Motion  each straight move starts and ends at rest: trapezoid in speed with the phase's feed
- *          and accel_mps2; the tool axis turns with the same fraction of the way.
- *  Ticks   each phase lasts a whole number of ticks (rounded up, so no feed is exceeded); the
- *          last sample of a move is its end point. Sample k is at time k*dt_s.
+ *          Travel runs between the retracted points. A move of no length takes no tick; a dwell
+ *          lasts at least one, so that every hole has its judged sample.
+ *  Motion  each straight move of length L starts and ends at rest: trapezoid in speed with the
+ *          phase's feed v and accel_mps2 a,
+ *            T = L/v + v/a, ramps of v/a each;  L < v^2/a: a triangle, T = 2 sqrt(L/a).
+ *          a = INFINITY is allowed: constant speed, no ramp. The tool axis turns with the same
+ *          fraction of the way, on the great circle (normalised linear interpolation). A turn
+ *          counts as the arc of a 0.5 m arm, so L = max(distance, 0.5 m * angle).
+ *  Ticks   each phase lasts a whole number of ticks (rounded up, so no feed or acceleration is
+ *          exceeded, but for a fraction of 1e-9 that rounding may cost); sample j = 1 .. n of a
+ *          move stands at s(j/n), so the last is its end point exactly. Sample k is at time k*dt_s.
  *  Judged  one sample a hole counts: the last of its dwell, before the stroke.
  *  Units   metres, seconds, base frame.
- *  Errors  init: EXK_ERR_ARG (a feed, accel or dt not > 0, a length or dwell negative, or any not
- *          finite, an axis that is not of unit length), EXK_ERR_SIZE (segments too few, no hole).
+ *  Errors  check, init: EXK_ERR_ARG (a feed, accel or dt not > 0, a length or dwell negative, any
+ *          but accel not finite, an axis that is not of unit length, axes of neighbouring holes
+ *          more than 174 degrees apart, a phase of more than 2^31 - 1 ticks); EXK_ERR_SIZE
+ *          (segments too few, no hole). at: cannot fail.
  *  Memory  the caller lends holes and segments and keeps both alive; init fills segments.
  */
 #ifndef EXK_PLAN_H
@@ -39,7 +47,7 @@ typedef struct {
     double approach_mps;
     double drill_mps;
     double retract_mps;
-    double accel_mps2;
+    double accel_mps2; /* INFINITY: unlimited */
     double clearance_m;
     double stroke_m;
     double dwell_s;
@@ -53,6 +61,7 @@ typedef struct {
     exk_phase phase;
     int32_t hole; /* index into holes: the hole gone to or worked on */
     double ramp;  /* fraction of the time spent speeding up, 0 to 0.5 */
+    bool turns;   /* the axes of from and to differ */
     exk_tool from;
     exk_tool to;
 } exk_segment;
@@ -75,6 +84,7 @@ typedef struct {
 } exk_ref;
 
 exk_plan_config exk_plan_default(void);
+exk_err exk_plan_check(const exk_plan_config *cfg);
 size_t exk_plan_segments_needed(size_t n_holes);
 exk_err exk_plan_init(exk_plan *plan, const exk_plan_config *cfg, const exk_hole *holes,
                       size_t n_holes, exk_segment *segments, size_t n_segments);
