@@ -1,0 +1,14 @@
+#include "ilc_tool.h"
+
+int main(int argc, char **argv)
+{
+    static int (*const run[])(const ilc_options *) = {
+        [ILC_LEARN] = ilc_learn,
+        [ILC_SHOW] = ilc_show,
+        [ILC_VERIFY] = ilc_verify,
+        [ILC_TRAIN] = ilc_train,
+    };
+    ilc_options options;
+    ilc_options_parse(argc, argv, &options);
+    return run[options.command](&options);
+}

@@ -1,0 +1,177 @@
+#include <inttypes.h>
+#include <jansson.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "exk/series.h"
+#include "exk/store.h"
+#include "exk/units.h"
+#include "ilc_tool.h"
+
+typedef struct {
+    const ilc_options *options;
+    exk_rig rig;
+    exk_series series;
+    json_t *rows; /* NULL: a table */
+    uint32_t p;   /* the next run */
+} training;
+
+static void tell(training *t, const exk_accuracy *accuracy)
+{
+    const double last_mm = accuracy->last_point_m * EXK_MM_PER_M;
+    const double mean_mm = accuracy->mean_m * EXK_MM_PER_M;
+    const double rms_mm = accuracy->rms_path_m * EXK_MM_PER_M;
+    if (t->rows == NULL) {
+        printf("%9" PRIu32 "  %13.6f  %12.6f  %9.6f  %4zu of %zu\n", t->p, last_mm, mean_mm,
+               rms_mm, accuracy->n_inside, t->rig.n_holes);
+        fflush(stdout);
+        return;
+    }
+    json_array_append_new(t->rows,
+                          json_pack("{s:I, s:f, s:f, s:f, s:I}", "iteration", (json_int_t)t->p,
+                                    "last_point_mm", last_mm, "mean_hole_mm", mean_mm, "rms_mm",
+                                    rms_mm, "n_inside", (json_int_t)accuracy->n_inside));
+}
+
+static int run_failed(const training *t, exk_err err)
+{
+    const exk_loop *loop = &t->rig.loop;
+    fprintf(stderr, "exk-ilc: run %" PRIu32 " ended by fault after tick %" PRId64 ": %s\n",
+            t->p, loop->last.k, exk_err_name(err));
+    return ILC_MISSED;
+}
+
+/* One run, its line, one update. */
+static int iterate(training *t, double *last_mm)
+{
+    exk_accuracy accuracy;
+    const exk_realisation which = {
+        .seed = t->rig.profile.timing.seed, .series = t->options->series, .run = t->p};
+    exk_err err = exk_series_run(&t->series, which, &accuracy);
+    if (err != EXK_OK) {
+        return run_failed(t, err);
+    }
+    tell(t, &accuracy);
+    *last_mm = accuracy.last_point_m * EXK_MM_PER_M;
+    if (t->series.n_bad > 0 && !t->options->allow_bad) {
+        fprintf(stderr,
+                "exk-ilc: run %" PRIu32 " had %" PRId64
+                " rejected sensor samples: nothing is learned from "
+                "it; --allow-bad learns all the same\n",
+                t->p, t->series.n_bad);
+        return ILC_INPUT;
+    }
+    err = exk_series_learn(&t->series);
+    if (err != EXK_OK) {
+        fprintf(stderr, "exk-ilc: the update of run %" PRIu32 " is refused: %s\n", t->p,
+                exk_err_name(err));
+        return ILC_INPUT;
+    }
+    t->p++;
+    return ILC_GOOD;
+}
+
+static int run_series(training *t)
+{
+    double last_mm = 0.0;
+    int code = ILC_GOOD;
+    const double until_mm = t->options->until_mm;
+    bool reached = false;
+    while (code == ILC_GOOD && t->p <= t->options->n_runs && !reached) {
+        code = iterate(t, &last_mm);
+        reached = until_mm > 0.0 && last_mm < until_mm;
+    }
+    if (code == ILC_GOOD && until_mm > 0.0 && !reached) {
+        fprintf(stderr, "exk-ilc: %g mm was not reached in %" PRIu32 " runs: %g mm\n", until_mm,
+                t->options->n_runs, last_mm);
+        code = ILC_MISSED;
+    }
+    return code;
+}
+
+static int save(const training *t)
+{
+    char why[512];
+    const exk_store store = {.job_hash = t->rig.job_hash,
+                             .dt_s = t->rig.plan.cfg.dt_s,
+                             .iteration = t->p,
+                             .n_samples = t->series.n,
+                             .u_rad = {t->series.u_rad[0], t->series.u_rad[1]}};
+    if (t->options->output == NULL) {
+        return ILC_GOOD;
+    }
+    const exk_store_err err = exk_store_save(t->options->output, &store, why, sizeof why);
+    if (err != EXK_STORE_OK) {
+        fprintf(stderr, "exk-ilc: %s\n", why);
+        return err == EXK_STORE_IO ? ILC_IO : ILC_INPUT;
+    }
+    fprintf(stderr, "exk-ilc: %s holds the correction for run %" PRIu32 "\n",
+            t->options->output, t->p);
+    return ILC_GOOD;
+}
+
+static const char *repeat_word(const exk_rig *rig)
+{
+    size_t n_frozen = 0;
+    size_t n_noisy = 0;
+    for (size_t i = 0; i < rig->profile.twin.n_disturbances; i++) {
+        const exk_disturbance_config *d = &rig->profile.twin.disturbance[i];
+        n_noisy += d->wave == EXK_WAVE_GAUSSIAN;
+        n_frozen += d->wave == EXK_WAVE_GAUSSIAN && d->frozen;
+    }
+    if (rig->profile.twin.sensor_sigma_rad > 0.0) {
+        n_noisy++;
+        n_frozen += rig->profile.twin.sensor_frozen;
+    }
+    return n_noisy == 0          ? "none"
+           : n_frozen == n_noisy ? "frozen"
+           : n_frozen == 0       ? "fresh"
+                                 : "mixed";
+}
+
+static int print_json(training *t)
+{
+    json_t *root = json_pack("{s:s, s:s, s:f, s:f, s:o}", "profile", t->rig.profile.name,
+                             "noise", repeat_word(&t->rig), "ilc_gain", t->rig.profile.ilc.gain,
+                             "dt_s", t->rig.plan.cfg.dt_s, "iterations", t->rows);
+    const bool good = root != NULL && json_dumpf(root, stdout, JSON_INDENT(1)) == 0 &&
+                      putchar('\n') == '\n' && fflush(stdout) == 0;
+    json_decref(root);
+    return good ? ILC_GOOD : ILC_IO;
+}
+
+static int train_open(training *t)
+{
+    if (!exk_series_open(&t->series, &t->rig)) {
+        fprintf(stderr, "exk-ilc: out of memory for %" PRId64 " ticks\n", t->rig.plan.n_ticks);
+        return ILC_IO;
+    }
+    if (t->options->json) {
+        t->rows = json_array();
+    } else {
+        printf("%s, %s noise, gain %g\n", t->rig.profile.name, repeat_word(&t->rig),
+               t->rig.profile.ilc.gain);
+        printf("iteration  last_point_mm  mean_hole_mm     rms_mm  inside\n");
+    }
+    int code = run_series(t);
+    if (t->rows != NULL) {
+        const int printed = print_json(t);
+        code = code != ILC_GOOD ? code : printed;
+    }
+    const bool whole = t->p > 1 && (code == ILC_GOOD || code == ILC_MISSED);
+    const int saved = whole ? save(t) : ILC_GOOD;
+    exk_series_close(&t->series);
+    return saved != ILC_GOOD ? saved : code;
+}
+
+int ilc_train(const ilc_options *options)
+{
+    training t = {.options = options, .p = 1};
+    int code = exk_rig_open(&t.rig, options->input);
+    if (code == ILC_GOOD) {
+        code = train_open(&t);
+        exk_rig_close(&t.rig);
+    }
+    return code;
+}

@@ -1,0 +1,37 @@
+/** A learning series on one rig: run, judge, learn, run again.
+ *
+ *  Law      u_{p+1} = Q(u_p + K (e_p + c_p)), exk_ilc_learn for each angle (architecture.md section 2).
+ *           Run 1 is untrained; after n runs and n updates u holds u_{n+1}.
+ *  Judged   on the true tip where the source knows it, else on the estimated one.
+ *  Errors   run: the loop's code (the series is then at the tick of the fault); learn: as
+ *           exk_ilc_learn, u keeps its old values then.
+ *  Memory   open allocates one block for each array, exk_series_close releases. Outside the core.
+ */
+#ifndef EXK_SERIES_H
+#define EXK_SERIES_H
+
+#include "exk/accuracy.h"
+#include "exk/rig.h"
+
+typedef struct {
+    exk_rig *rig;
+    size_t n; /* samples of one run */
+    double *u_rad[EXK_N_AXES];
+    double *e_rad[EXK_N_AXES];
+    double *c_rad[EXK_N_AXES];
+    double *next_rad[EXK_N_AXES];
+    exk_hole_result *results; /* of the last run, one a hole */
+    int64_t n_bad;            /* rejected sensor samples of the last run */
+    double *block;
+} exk_series;
+
+bool exk_series_open(exk_series *series, exk_rig *rig);
+void exk_series_close(exk_series *series);
+
+/** One whole run with the present u; fills e, c and results. */
+exk_err exk_series_run(exk_series *series, exk_realisation which, exk_accuracy *out);
+
+/** u <- u_{p+1} from e and c of the last run. */
+exk_err exk_series_learn(exk_series *series);
+
+#endif
