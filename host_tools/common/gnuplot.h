@@ -1,0 +1,25 @@
+/** Pictures by gnuplot, run as a process of its own: SVG or PNG by the ending of the name.
+ *
+ *  Script   written by the caller's draw function, data in it as blocks ($name << EOD); the
+ *           terminal is set before it runs. The user's own gnuplot settings are not read.
+ *  Errors   an exit code: 0, 2 (ending, refused file), 3 (gnuplot missing or failed, cannot write);
+ *           why says which and what to do. No half picture is left behind.
+ */
+#ifndef EXK_TOOLS_GNUPLOT_H
+#define EXK_TOOLS_GNUPLOT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include "out_file.h"
+
+typedef void (*exk_draw_fn)(FILE *script, const void *ctx);
+
+/** True for .svg and .png; sets the kind. For checking options before any work is done. */
+bool exk_plot_kind(const char *path, exk_out_kind *kind);
+
+int exk_plot_write(const char *path, int width, int height, exk_draw_fn draw, const void *ctx,
+                   char *why, size_t why_size);
+
+#endif
