@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# What every program does alike: options.sh PROGRAM VERSION
+set -uo pipefail
+program=$1
+name=$(basename "$program")
+
+fail() {
+    printf '%s: %s\n' "$name" "$1"
+    exit 1
+}
+
+help=$("$program" --help 2>/dev/null </dev/null) || fail "--help ends with $?"
+grep -qi 'example' <<<"$help" || fail "--help shows no example"
+grep -q "$name.*[[:alnum:]./]" < <(grep -i -A 4 'example' <<<"$help") ||
+    fail "the example does not call $name"
+said=$("$program" --version 2>/dev/null </dev/null) || fail "--version ends with $?"
+[[ $said == *"$name"*"$2"* ]] || fail "--version says '$said', wanted '$name ... $2'"
+found=$("$program" --no-such-option 2>&1 >/dev/null </dev/null)
+rc=$?
+((rc == 2)) || fail "an unknown option ends with $rc, wanted 2"
+grep -q 'no-such-option' <<<"$found" || fail "the message does not name the unknown option: $found"
