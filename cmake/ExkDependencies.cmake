@@ -78,6 +78,9 @@ if(BUILD_TESTING)
         message(FATAL_ERROR "exk: UNITY_SOURCE_DIR=${UNITY_SOURCE_DIR} holds no unity.c. "
             "Name the folder that holds unity.c and unity.h, or leave it out.")
     endif()
+    if(EXK_UNITY_DIR AND NOT EXISTS "${EXK_UNITY_DIR}/unity.c")
+        unset(EXK_UNITY_DIR CACHE)
+    endif()
     find_path(EXK_UNITY_DIR unity.c NO_DEFAULT_PATH
         HINTS ${UNITY_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/.deps/unity
         PATHS /usr/local/src/unity/src /usr/local/src/unity /usr/src/unity/src /usr/src/unity
