@@ -2,7 +2,7 @@
  *
  *  Source  kinematics.md section 1 (table of defaults) and study.md (ratios p1..p4).
  *  Ratios  p1 = d1/(2 d5) in [0.5, 0.8], p2 = d2/d1 in [0.5, 1], p3 = 2 d3/d1 in [0.5, 1],
- *          p4 = d4/d3 = 0.75 (within 1e-9).
+ *          p4 = d4/d3 = 0.75; each bound has a slack of 1e-9 for decimals that binary rounds.
  *  Units   metres and radians.
  *  Errors  exk_geometry_check: EXK_ERR_ARG, with the offending quantity, its value and bounds.
  *  Memory  a plain value; a second machine is data, not a fork.
@@ -11,6 +11,11 @@
 #define EXK_GEOMETRY_H
 
 #include "exk/err.h"
+
+/* No length of a machine is larger: keeps every square below overflow. */
+#define EXK_LENGTH_MAX_M 100.0
+/* Shortest length that divides, or is a leg, a bar or a joint spacing. */
+#define EXK_LENGTH_MIN_M 1e-3
 
 typedef struct {
     double d1_m;          /* |A1A3|, base joints of legs 1 and 3 */
@@ -34,10 +39,13 @@ typedef struct {
     double max;
 } exk_geometry_fault;
 
+/** The assumed X700-class machine: inside every published ratio (kinematics.md section 1). */
 exk_geometry exk_geometry_default(void);
 
-/** Checks every length (> 0, finite; f_m any finite), the ratios and the angle limit (0 to 60 deg).
- *  fault may be NULL; it is written only when a bound is broken. */
+/** Checks, in this order, every length (d1..d5, l_min, z0 in [EXK_LENGTH_MIN_M,
+ *  EXK_LENGTH_MAX_M]; e, t in [0, EXK_LENGTH_MAX_M]; |f| <= EXK_LENGTH_MAX_M), the angle limit
+ *  (above 0, at most 60 deg: beyond that two assembly branches meet) and the ratios. The first
+ *  fault is reported. fault may be NULL; it is written only when a bound is broken. */
 exk_err exk_geometry_check(const exk_geometry *geo, exk_geometry_fault *fault);
 
 #endif

@@ -18,6 +18,7 @@
 #include "exk/axes.h"
 #include "exk/err.h"
 #include "exk/geometry.h"
+#include "exk/tripod.h"
 
 typedef enum {
     EXK_KIN_PENDULUM,
@@ -49,6 +50,7 @@ struct exk_kin {
     exk_kin_model model;
     exk_wrist_kind wrist;
     exk_geometry geo;
+    exk_tripod tripod; /* constants of the geometry, made by init */
 };
 
 /** EXK_ERR_ARG when the geometry does not pass exk_geometry_check or an enum is out of range. */
