@@ -1,0 +1,106 @@
+/* The grid and the miss policy under an injected clock: no wall time here. */
+#include "exk/realtime.h"
+#include "unity.h"
+
+typedef struct {
+    int64_t t_ns;
+    int n_sleeps;
+} fake_clock;
+
+static int64_t fake_now(void *ctx)
+{
+    return ((fake_clock *)ctx)->t_ns;
+}
+
+static void fake_sleep(void *ctx, int64_t t_ns)
+{
+    fake_clock *clock = ctx;
+    clock->n_sleeps++;
+    clock->t_ns = t_ns;
+}
+
+enum { PERIOD = 1000 };
+static fake_clock wall;
+static exk_pacer pacer;
+
+void setUp(void)
+{
+    wall = (fake_clock){.t_ns = 5000};
+    exk_pacer_start(&pacer, (exk_clock){fake_now, fake_sleep, &wall}, PERIOD, 0);
+}
+
+void tearDown(void)
+{
+}
+
+static void ticks_follow_each_other_on_the_grid(void)
+{
+    for (int64_t k = 0; k < 1000; k++) {
+        TEST_ASSERT_EQUAL_INT64(k, exk_pacer_next(&pacer));
+        TEST_ASSERT_EQUAL_INT64(6000 + k * PERIOD, wall.t_ns);
+        wall.t_ns += 300; /* the step's own time */
+    }
+    TEST_ASSERT_EQUAL_INT64(0, pacer.n_missed);
+}
+
+static void a_step_that_ends_late_in_the_next_period_runs_that_tick_late(void)
+{
+    exk_pacer_next(&pacer);
+    wall.t_ns += 1400; /* 400 ns into tick 1 */
+    TEST_ASSERT_EQUAL_INT64(1, exk_pacer_next(&pacer));
+    TEST_ASSERT_EQUAL_INT64(400, pacer.lateness_ns);
+    TEST_ASSERT_EQUAL_INT64(0, pacer.n_missed);
+    TEST_ASSERT_EQUAL_INT64(2, exk_pacer_next(&pacer));
+    TEST_ASSERT_EQUAL_INT64(0, pacer.lateness_ns);
+}
+
+/* Late by 1 to 100 whole periods and a bit: each counted, one wait, no burst. */
+static void whole_periods_gone_by_are_skipped_and_counted(void)
+{
+    int64_t k = exk_pacer_next(&pacer);
+    int64_t n_missed = 0;
+    for (int64_t late = 1; late <= 100; late++) {
+        const int n_sleeps = wall.n_sleeps;
+        wall.t_ns += (late + 1) * PERIOD + 7;
+        const int64_t next = exk_pacer_next(&pacer);
+        TEST_ASSERT_EQUAL_INT64(k + late + 2, next);
+        TEST_ASSERT_EQUAL_INT64(late + 1, pacer.n_missed_row);
+        TEST_ASSERT_EQUAL_INT(n_sleeps + 1, wall.n_sleeps);
+        TEST_ASSERT_EQUAL_INT64(pacer.t0_ns + next * PERIOD, wall.t_ns);
+        n_missed += late + 1;
+        TEST_ASSERT_EQUAL_INT64(n_missed, pacer.n_missed);
+        k = exk_pacer_next(&pacer);
+        TEST_ASSERT_EQUAL_INT64(0, pacer.n_missed_row);
+        TEST_ASSERT_EQUAL_INT64(next + 1, k);
+    }
+}
+
+static void a_clock_that_stands_still_or_runs_back_only_waits(void)
+{
+    TEST_ASSERT_EQUAL_INT64(0, exk_pacer_next(&pacer));
+    TEST_ASSERT_EQUAL_INT64(1, exk_pacer_next(&pacer));
+    wall.t_ns -= 50 * PERIOD;
+    TEST_ASSERT_EQUAL_INT64(2, exk_pacer_next(&pacer));
+    TEST_ASSERT_EQUAL_INT64(pacer.t0_ns + 2 * PERIOD, wall.t_ns);
+    TEST_ASSERT_EQUAL_INT64(0, pacer.n_missed);
+}
+
+static void years_of_ticks_do_not_wrap(void)
+{
+    const int64_t k = INT64_C(5000000000);
+    pacer.k = k - 1;
+    wall.t_ns = pacer.t0_ns + (k - 1) * PERIOD + 10;
+    TEST_ASSERT_EQUAL_INT64(k, exk_pacer_next(&pacer));
+    TEST_ASSERT_EQUAL_INT64(0, pacer.n_missed);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(ticks_follow_each_other_on_the_grid);
+    RUN_TEST(a_step_that_ends_late_in_the_next_period_runs_that_tick_late);
+    RUN_TEST(whole_periods_gone_by_are_skipped_and_counted);
+    RUN_TEST(a_clock_that_stands_still_or_runs_back_only_waits);
+    RUN_TEST(years_of_ticks_do_not_wrap);
+    return UNITY_END();
+}
