@@ -9,7 +9,7 @@
 
 #include "unity.h"
 
-enum { N = 40 };
+enum { N = 16 };
 static char folder[64];
 static char path[96];
 static char why[512];
@@ -133,7 +133,7 @@ static void another_job_is_refused_with_both_hashes(void)
     TEST_ASSERT_EQUAL(EXK_STORE_OTHER_JOB,
                       exk_store_match(&made, made.job_hash, 0.002, N, why, sizeof why));
     TEST_ASSERT_EQUAL_STRING(
-        "ILC store of 40 samples of 0.001 s; this job has 40 samples of 0.002 s", why);
+        "ILC store of 16 samples of 0.001 s; this job has 16 samples of 0.002 s", why);
     TEST_ASSERT_EQUAL(EXK_STORE_OTHER_JOB,
                       exk_store_match(&made, made.job_hash, 0.001, N + 1, why, sizeof why));
     TEST_ASSERT_EQUAL(EXK_STORE_OTHER_JOB,
