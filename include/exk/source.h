@@ -1,6 +1,7 @@
 /** Joint source: where a step sends its command and finds its measured angles.
  *
  *  Kinds   twin (this process), replay (a log), bus (another process): one interface.
+ *  Shapes  the command of tick k in, the angles of tick k out.  Units  radians, metres.
  *  Errors  exchange: EXK_OK, or EXK_ERR_END when nothing further will come. A lost or late sample
  *          is EXK_OK with fresh = false. Values may be anything, NaN included: the loop checks.
  *  Memory  the caller owns what ctx points to.

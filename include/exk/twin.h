@@ -3,11 +3,16 @@
  *  x[k]     = a x[k-1] + (1 - a) q[k],  a = exp(-dt/tau), a = 0 for tau = 0, x[-1] = q[0]
  *  theta[k] = x[k] + sum of the disturbances n[k]
  *  m[k]     = round((theta[k] + v[k]) / quantum) * quantum;  v normal, sigma; quantum 0: no rounding
- *  Ticks that were skipped are integrated with the last command held (architecture.md section 7).
- *  Units    radians, seconds.
- *  Errors   init: EXK_ERR_ARG (dt not > 0, tau, sigma or quantum negative or not finite, a
- *           disturbance refused), EXK_ERR_SIZE (more than EXK_MAX_DISTURBANCES).
- *           step: cannot fail; a command that is not finite leaves the servo where it is.
+ *  Order    disturbances are summed in their listed order; disturbance i draws as source i, the
+ *           sensor as EXK_SOURCE_SENSOR.
+ *  Skipped  ticks are integrated with the last command held (architecture.md section 7). Ticks must
+ *           rise: an earlier or repeated k reads the state again and moves nothing (a fresh look:
+ *           the sensor noise is that of k).
+ *  Shapes   both angles in, both angles out.  Units  radians, seconds.
+ *  Errors   init: EXK_ERR_SIZE (more than EXK_MAX_DISTURBANCES), EXK_ERR_ARG (dt not > 0, tau,
+ *           sigma or quantum negative or not finite, a disturbance refused); the twin is not usable
+ *           then. step: cannot fail; a command that is not finite in both angles leaves the servo
+ *           where it is (at 0 before the first good one) until the next good command.
  *  Memory   the caller owns the struct; no pointer kept.
  */
 #ifndef EXK_TWIN_H
@@ -34,14 +39,21 @@ typedef struct {
     exk_twin_config cfg; /* fixed by init */
     exk_disturbance disturbance[EXK_MAX_DISTURBANCES];
     exk_stream sensor[EXK_N_AXES];
-    double pole;                  /* a */
-    double servo_rad[EXK_N_AXES]; /* x */
-    int64_t k;                    /* tick of the state, -1 before the first */
+    double pole;                    /* a */
+    double command_rad[EXK_N_AXES]; /* last one, held over skipped ticks */
+    double servo_rad[EXK_N_AXES];   /* x */
+    bool has_command;               /* x[-1] is known */
+    int64_t k;                      /* tick of the state, -1 before the first */
 } exk_twin;
 
+/** 1 kHz, ideal servo, ideal sensor (fresh), no disturbance. */
 exk_twin_config exk_twin_default(void);
 exk_err exk_twin_init(exk_twin *twin, const exk_twin_config *cfg, exk_realisation which);
+
+/** Back to before tick 0 of the same realisation. */
 void exk_twin_reset(exk_twin *twin);
+
+/** Applies q at tick k and reads the angles of that tick; out is always fresh and has the truth. */
 void exk_twin_step(exk_twin *twin, int64_t k, const double q_rad[EXK_N_AXES], exk_reading *out);
 
 /** The twin as a joint source; twin must outlive it. */
