@@ -107,18 +107,21 @@ static double check_unread(const double *e, size_t n, int lead)
     return bad;
 }
 
-/* Butterworth low-pass of second order as two trapezoidal integrators (bilinear, prewarped): it
- * keeps its precision at low cutoffs, and its rest state on a constant is the constant itself. */
+/* Butterworth low-pass of second order as two trapezoidal integrators (bilinear, prewarped) in
+ * increments: it keeps its precision at low cutoffs, and its rest state on a constant is the
+ * constant itself. */
 typedef struct {
-    double a1, a2, a3;
-    double band, low; /* states */
+    double band_kept, band_gain; /* band' = band_kept band + band_gain high */
+    double low_gain;             /* low' = low + band_gain band + low_gain high */
+    double band, low;            /* states */
 } lowpass;
 
 static lowpass lowpass_init(double cutoff_Hz, double dt_s)
 {
     const double g = tan(EXK_PI * cutoff_Hz * dt_s);
-    const double a1 = 1.0 / (1.0 + g * (g + sqrt(2.0)));
-    return (lowpass){.a1 = a1, .a2 = g * a1, .a3 = g * g * a1};
+    const double a = 1.0 / (1.0 + g * (g + sqrt(2.0)));
+    return (lowpass){
+        .band_kept = 2.0 * a - 1.0, .band_gain = 2.0 * g * a, .low_gain = 2.0 * g * g * a};
 }
 
 static void lowpass_rest(lowpass *q, double x)
@@ -130,34 +133,27 @@ static void lowpass_rest(lowpass *q, double x)
 static double lowpass_step(lowpass *q, double x)
 {
     const double high = x - q->low;
-    const double band = q->a1 * q->band + q->a2 * high;
-    const double low = q->low + q->a2 * q->band + q->a3 * high;
-    q->band = 2.0 * band - q->band;
-    q->low = 2.0 * low - q->low;
-    return low;
+    const double change = q->band_gain * q->band + q->low_gain * high;
+    const double out = q->low + 0.5 * change;
+    q->band = q->band_kept * q->band + q->band_gain * high;
+    q->low += change;
+    return out;
 }
 
-static void zero_phase(double *u, size_t n, double cutoff_Hz, double dt_s)
+/* Q in place, then the limit. Returns NaN when a value was not finite. */
+static double zero_phase(const exk_ilc_config *cfg, double *u, size_t n)
 {
-    lowpass q = lowpass_init(cutoff_Hz, dt_s);
+    lowpass q = lowpass_init(cfg->cutoff_Hz, cfg->dt_s);
+    double bad = 0.0;
     lowpass_rest(&q, u[0]);
     for (size_t k = 0; k < n; k++) {
         u[k] = lowpass_step(&q, u[k]);
     }
     lowpass_rest(&q, u[n - 1]);
     for (size_t k = n; k-- > 0;) {
-        u[k] = lowpass_step(&q, u[k]);
-    }
-}
-
-/* Q in place, then the limit. */
-static double filter(const exk_ilc_config *cfg, double *u, size_t n)
-{
-    double bad = 0.0;
-    zero_phase(u, n, cfg->cutoff_Hz, cfg->dt_s);
-    for (size_t k = 0; k < n; k++) {
-        bad += u[k] * 0.0;
-        u[k] = clip(u[k], cfg->u_max_rad);
+        const double v = lowpass_step(&q, u[k]);
+        bad += v * 0.0;
+        u[k] = clip(v, cfg->u_max_rad);
     }
     return bad;
 }
@@ -181,7 +177,7 @@ exk_err exk_ilc_learn(const exk_ilc_config *cfg, const double *u_rad, const doub
         bad += learn_p_lead(cfg, u_rad, e_rad, c_rad, n, limit, u_next_rad);
     }
     if (has_q) {
-        bad += filter(cfg, u_next_rad, n);
+        bad += zero_phase(cfg, u_next_rad, n);
     }
     return isnan(bad) ? EXK_ERR_ARG : EXK_OK;
 }
