@@ -6,6 +6,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cmake --install "$build" --prefix "$work" >/dev/null
 
+shopt -s nullglob
 missing=0
 want() {
     if [[ ! -s $work/$1 ]]; then

@@ -29,4 +29,4 @@ pkg-config)
     ;;
 esac
 echo "$said"
-[[ $said == "exk "*": ok" ]]
+[[ $said == "exk "*": ok, x = 0.100000 m" ]]
