@@ -1,0 +1,1 @@
+exk_test(unit test_loop SOURCES ${CMAKE_CURRENT_LIST_DIR}/test_loop.c NEEDS exk::loop)
