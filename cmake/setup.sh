@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2154
 # Set-up shared by ./drill and ./check. Sourced by bash, never run; exk_root and exk_logs are set.
 # Notes go to stderr; a step's own output goes to a log that is shown only when the step fails.
 

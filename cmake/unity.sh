@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2154
 # Unity, the test framework, from the Debian source package ntpsec, which carries it. Sourced.
 # Lists and cache are private, the mirror is the machine's own, nothing of the machine changes.
 
