@@ -1,11 +1,11 @@
 #include <inttypes.h>
-#include <jansson.h>
 #include <math.h>
 #include <stdio.h>
 
 #include "exk/rig.h"
 #include "exk/store.h"
 #include "ilc_tool.h"
+#include "json_file.h"
 
 typedef struct {
     double rms_rad[EXK_N_AXES];
@@ -34,10 +34,13 @@ static int show_json(const ilc_options *options, const exk_store *store, const s
         "iteration", (json_int_t)store->iteration, "n_samples", (json_int_t)store->n_samples,
         "dt_s", store->dt_s, "rms_rad", size->rms_rad[0], size->rms_rad[1], "max_rad",
         size->max_rad[0], size->max_rad[1]);
-    const bool good = root != NULL && json_dumpf(root, stdout, JSON_INDENT(1)) == 0 &&
-                      putchar('\n') == '\n' && fflush(stdout) == 0;
+    char why[512];
+    const int code = exk_json_write(root, "-", "file", why, sizeof why);
     json_decref(root);
-    return good ? ILC_GOOD : ILC_IO;
+    if (code != ILC_GOOD) {
+        fprintf(stderr, "exk-ilc: %s\n", why);
+    }
+    return code;
 }
 
 static int load(const ilc_options *options, exk_store *store)

@@ -1,5 +1,4 @@
 #include <inttypes.h>
-#include <jansson.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -8,6 +7,8 @@
 #include "exk/store.h"
 #include "exk/units.h"
 #include "ilc_tool.h"
+#include "json_file.h"
+#include "noise_word.h"
 
 typedef struct {
     const ilc_options *options;
@@ -111,34 +112,19 @@ static int save(const training *t)
     return ILC_GOOD;
 }
 
-static const char *repeat_word(const exk_rig *rig)
-{
-    size_t n_frozen = 0;
-    size_t n_noisy = 0;
-    for (size_t i = 0; i < rig->profile.twin.n_disturbances; i++) {
-        const exk_disturbance_config *d = &rig->profile.twin.disturbance[i];
-        n_noisy += d->wave == EXK_WAVE_GAUSSIAN;
-        n_frozen += d->wave == EXK_WAVE_GAUSSIAN && d->frozen;
-    }
-    if (rig->profile.twin.sensor_sigma_rad > 0.0) {
-        n_noisy++;
-        n_frozen += rig->profile.twin.sensor_frozen;
-    }
-    return n_noisy == 0          ? "none"
-           : n_frozen == n_noisy ? "frozen"
-           : n_frozen == 0       ? "fresh"
-                                 : "mixed";
-}
-
 static int print_json(training *t)
 {
-    json_t *root = json_pack("{s:s, s:s, s:f, s:f, s:o}", "profile", t->rig.profile.name,
-                             "noise", repeat_word(&t->rig), "ilc_gain", t->rig.profile.ilc.gain,
-                             "dt_s", t->rig.plan.cfg.dt_s, "iterations", t->rows);
-    const bool good = root != NULL && json_dumpf(root, stdout, JSON_INDENT(1)) == 0 &&
-                      putchar('\n') == '\n' && fflush(stdout) == 0;
+    char why[512];
+    json_t *root =
+        json_pack("{s:s, s:s, s:f, s:f, s:o}", "profile", t->rig.profile.name, "noise",
+                  exk_noise_word(&t->rig.profile), "ilc_gain", t->rig.profile.ilc.gain, "dt_s",
+                  t->rig.plan.cfg.dt_s, "iterations", t->rows);
+    const int code = exk_json_write(root, "-", "profile", why, sizeof why);
     json_decref(root);
-    return good ? ILC_GOOD : ILC_IO;
+    if (code != ILC_GOOD) {
+        fprintf(stderr, "exk-ilc: %s\n", why);
+    }
+    return code;
 }
 
 static int train_open(training *t)
@@ -150,7 +136,7 @@ static int train_open(training *t)
     if (t->options->json) {
         t->rows = json_array();
     } else {
-        printf("%s, %s noise, gain %g\n", t->rig.profile.name, repeat_word(&t->rig),
+        printf("%s, %s noise, gain %g\n", t->rig.profile.name, exk_noise_word(&t->rig.profile),
                t->rig.profile.ilc.gain);
         printf("iteration  last_point_mm  mean_hole_mm     rms_mm  inside\n");
     }
