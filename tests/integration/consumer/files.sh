@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What cmake --install must leave: files.sh BUILD_DIR SOURCE_DIR LIBDIR
+# What cmake --install must leave: files.sh BUILD_DIR SOURCE_DIR LIBDIR PROGRAM...
 set -euo pipefail
 build=$1 source=$2 libdir=$3
 work=$(mktemp -d)
@@ -15,8 +15,7 @@ want() {
     fi
 }
 
-for program in "$build"/bin/exk-*; do
-    name=$(basename "$program")
+for name in "${@:4}"; do
     want "bin/$name"
     if [[ -d $build/man ]]; then
         want "share/man/man1/$name.1"
