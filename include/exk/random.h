@@ -8,7 +8,7 @@
  *  Uniform u = (2 j + 1) 2^-53, j the upper 52 bits of (word 1, word 0) or (word 3, word 2):
  *          symmetric about 1/2, never 0 or 1, so |z| <= 8.21.
  *  Normal  inverse normal distribution (Wichura, Algorithm AS 241, PPND16) of u; relative error
- *          about 1e-16. One block gives one channel's draw, or the pair that a second-order step
+ *          below 1e-15. One block gives one channel's draw, or the pair that a second-order step
  *          needs.
  *  Units   none; z has mean 0 and variance 1.
  *  Errors  none: every input is a valid counter.  Memory  none.

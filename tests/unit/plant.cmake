@@ -1,0 +1,1 @@
+exk_test(unit test_twin SOURCES ${CMAKE_CURRENT_LIST_DIR}/test_twin.c NEEDS exk::plant)
