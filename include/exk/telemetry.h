@@ -71,7 +71,7 @@ typedef struct {
     bool bus_ok;
     bool file_ok;
     exk_accuracy accuracy; /* of this run, judged like exk-holes does */
-    char why[256];         /* first fault, empty when none */
+    char why[512];         /* first fault, empty when none */
 } exk_publish_summary;
 
 /** Drains the ring, sends the last status, closes the log (complete), joins the thread. */

@@ -1,0 +1,250 @@
+#define _GNU_SOURCE /* processor sets */
+#include <pthread.h>
+#include <sched.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "exk/telemetry.h"
+#include "messages.h"
+
+enum { CACHE_LINE = 64, STACK_BYTES = 1024 * 1024, SMALLEST_RING = 16 };
+static const long poll_ns = 500000;      /* publisher: looks into an empty ring this often */
+static const long room_poll_ns = 100000; /* fast: looks for room in a full ring this often */
+
+struct exk_publisher {
+    exk_ring ring;
+    void *slots;
+    exk_messages messages;
+    pthread_t thread;
+    bool fast;
+    int64_t t0_us;
+    _Atomic bool stopping;
+
+    /* the control thread's own; the publisher reads them once stopping is set */
+    int64_t every;
+    int64_t next_seq;
+    int64_t last_block; /* k / every of the newest pose sent */
+    int64_t last_k;
+    bool last_sent;
+    bool last_dwell;
+};
+
+static void nap(long ns)
+{
+    const struct timespec pause = {.tv_sec = 0, .tv_nsec = ns};
+    nanosleep(&pause, NULL);
+}
+
+static int64_t monotonic_us(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (int64_t)now.tv_sec * 1000000 + now.tv_nsec / 1000;
+}
+
+/* How full the ring got depends on the hour; the bytes of a fast run must not. */
+static exk_ring_figures figures(const exk_publisher *pub)
+{
+    return (exk_ring_figures){.n_dropped = (int64_t)exk_ring_dropped(&pub->ring),
+                              .deepest = pub->fast ? 0 : (int64_t)pub->ring.deepest};
+}
+
+static void tick(exk_publisher *pub, int64_t now_us)
+{
+    const exk_ring_figures ring = figures(pub);
+    exk_messages_tick(&pub->messages, now_us, &ring);
+}
+
+/* At most one ring full a turn, so that status messages are not held up by a fast producer. */
+static bool drain(exk_publisher *pub)
+{
+    size_t n = 0;
+    const exk_slot *slot = exk_ring_front(&pub->ring);
+    while (slot != NULL) {
+        if (pub->fast) {
+            tick(pub, slot->record.sample.time_us);
+        }
+        exk_messages_take(&pub->messages, slot);
+        exk_ring_release(&pub->ring);
+        slot = ++n < pub->ring.n_slots ? exk_ring_front(&pub->ring) : NULL;
+    }
+    return n > 0;
+}
+
+/* What was pushed before stopping was set is there to be drained after it was seen. */
+static void *publish(void *ctx)
+{
+    exk_publisher *pub = ctx;
+    bool stopping = false;
+    bool busy = false;
+    exk_messages_begin(&pub->messages);
+    while (!stopping || busy) {
+        stopping = atomic_load_explicit(&pub->stopping, memory_order_acquire);
+        busy = drain(pub);
+        if (!pub->fast) {
+            tick(pub, monotonic_us() - pub->t0_us);
+        }
+        if (!stopping && !busy) {
+            nap(poll_ns);
+        }
+    }
+    const exk_ring_figures ring = figures(pub);
+    exk_messages_end(&pub->messages, pub->last_k, pub->next_seq, &ring);
+    return NULL;
+}
+
+/* The control thread may be pinned to a processor of its own: this one keeps off it. */
+static void spread(pthread_attr_t *attr)
+{
+    cpu_set_t set;
+    if (sched_getaffinity(0, sizeof set, &set) != 0 || CPU_COUNT(&set) > 1) {
+        return;
+    }
+    const long n = sysconf(_SC_NPROCESSORS_ONLN);
+    for (long i = 0; i < n && i < CPU_SETSIZE; i++) {
+        CPU_SET((size_t)i, &set);
+    }
+    pthread_attr_setaffinity_np(attr, sizeof set, &set);
+}
+
+/* An ordinary thread, whatever its maker is; signals stay with the control thread. */
+static int start_thread(exk_publisher *pub)
+{
+    pthread_attr_t attr;
+    sigset_t all;
+    sigset_t before;
+    const struct sched_param ordinary = {.sched_priority = 0};
+    pthread_attr_init(&attr);
+    pthread_attr_setinheritsched(&attr, PTHREAD_EXPLICIT_SCHED);
+    pthread_attr_setschedpolicy(&attr, SCHED_OTHER);
+    pthread_attr_setschedparam(&attr, &ordinary);
+    pthread_attr_setstacksize(&attr, STACK_BYTES);
+    spread(&attr);
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before);
+    const int error = pthread_create(&pub->thread, &attr, publish, pub);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    pthread_attr_destroy(&attr);
+    return error;
+}
+
+static bool make_ring(exk_publisher *pub, const exk_run_info *info)
+{
+    const int wanted = info->profile->telemetry.ring_slots;
+    const size_t n = wanted > 0 ? (size_t)wanted : SMALLEST_RING;
+    const size_t bytes = (sizeof(exk_slot) + CACHE_LINE - 1) / CACHE_LINE * CACHE_LINE;
+    pub->slots = aligned_alloc(CACHE_LINE, n * bytes);
+    if (pub->slots == NULL) {
+        return false;
+    }
+    memset(pub->slots, 0, n * bytes); /* touched now, so that no push meets a page fault */
+    return exk_ring_init(&pub->ring, pub->slots, n, bytes) == EXK_OK;
+}
+
+static exk_publisher *give_up(exk_publisher *pub)
+{
+    free(pub->slots);
+    free(pub);
+    return NULL;
+}
+
+static void set_numbering(exk_publisher *pub, const exk_run_info *info)
+{
+    pub->every = info->profile->telemetry.every > 1 ? info->profile->telemetry.every : 1;
+    pub->last_block = -1;
+    pub->last_k = -1;
+    pub->last_sent = true;
+}
+
+exk_publisher *exk_publisher_start(const exk_run_info *info, char *why, size_t why_size)
+{
+    const size_t bytes = (sizeof(exk_publisher) + CACHE_LINE - 1) / CACHE_LINE * CACHE_LINE;
+    exk_publisher *pub = aligned_alloc(CACHE_LINE, bytes);
+    if (pub == NULL) {
+        snprintf(why, why_size, "no memory for the publisher");
+        return NULL;
+    }
+    memset(pub, 0, bytes);
+    pub->fast = info->fast;
+    pub->t0_us = monotonic_us();
+    set_numbering(pub, info);
+    if (!make_ring(pub, info)) {
+        snprintf(why, why_size, "no ring of %d slots: take a power of two of at least 2",
+                 info->profile->telemetry.ring_slots);
+        return give_up(pub);
+    }
+    if (!exk_messages_init(&pub->messages, info, why, why_size)) {
+        return give_up(pub);
+    }
+    const int error = start_thread(pub);
+    if (error != 0) {
+        snprintf(why, why_size, "the publisher thread cannot be started: %s", strerror(error));
+        exk_outlet_close(&pub->messages.out);
+        exk_messages_free(&pub->messages);
+        return give_up(pub);
+    }
+    return pub;
+}
+
+/* Numbers the poses: the first of each block of every ticks, each judged one, and the last of a
+ * dwell whose judged tick was missed. */
+static void number(exk_publisher *pub, const exk_sample *s, exk_slot *slot)
+{
+    const bool dwell = s->phase == EXK_PHASE_DWELL;
+    const int64_t block = s->k / pub->every;
+    slot->previous_k = -1;
+    slot->previous_seq = -1;
+    slot->seq = -1;
+    if (pub->last_dwell && !dwell && !pub->last_sent) {
+        slot->previous_k = pub->last_k;
+        slot->previous_seq = pub->next_seq++;
+    }
+    if (s->judged || block != pub->last_block) {
+        slot->seq = pub->next_seq++;
+    }
+    pub->last_block = block;
+    pub->last_k = s->k;
+    pub->last_sent = slot->seq >= 0;
+    pub->last_dwell = dwell;
+}
+
+void exk_publisher_push(exk_publisher *pub, const exk_record *record)
+{
+    while (pub->fast && !exk_ring_has_room(&pub->ring)) {
+        nap(room_poll_ns);
+    }
+    exk_slot unused;
+    exk_slot *slot = exk_ring_begin(&pub->ring);
+    number(pub, &record->sample, slot != NULL ? slot : &unused);
+    if (slot != NULL) {
+        slot->record = *record;
+        exk_ring_commit(&pub->ring);
+    }
+}
+
+static void summarise(const exk_publisher *pub, exk_publish_summary *out)
+{
+    const exk_messages *m = &pub->messages;
+    out->n_poses = m->n_poses;
+    out->n_dropped = (int64_t)exk_ring_dropped(&pub->ring);
+    out->bus_ok = m->out.bus_ok;
+    out->file_ok = m->out.file_ok;
+    exk_judge_summary(&m->judge, &out->accuracy);
+    memcpy(out->why, m->out.why, sizeof out->why);
+}
+
+void exk_publisher_stop(exk_publisher *pub, exk_publish_summary *out)
+{
+    if (!pub->last_sent) {
+        pub->next_seq++; /* the last sample of a run is always sent */
+    }
+    atomic_store_explicit(&pub->stopping, true, memory_order_release);
+    pthread_join(pub->thread, NULL);
+    summarise(pub, out);
+    exk_messages_free(&pub->messages);
+    give_up(pub);
+}

@@ -1,0 +1,116 @@
+#include "exk/wire.h"
+
+#include <string.h>
+
+#include "exk_status_t.h"
+#include "wire_text.h"
+
+_Static_assert(EXK_STATUS_T_INIT == (int)EXK_STATE_INIT, "states on the wire");
+_Static_assert(EXK_STATUS_T_IDLE == (int)EXK_STATE_IDLE, "states on the wire");
+_Static_assert(EXK_STATUS_T_RUN == (int)EXK_STATE_RUN, "states on the wire");
+_Static_assert(EXK_STATUS_T_HOLD == (int)EXK_STATE_HOLD, "states on the wire");
+_Static_assert(EXK_STATUS_T_FAULT == (int)EXK_STATE_FAULT, "states on the wire");
+_Static_assert(EXK_STATUS_T_DONE == (int)EXK_STATE_DONE, "states on the wire");
+
+static void pack_stamp(exk_status_t *m, const exk_wire_status *s)
+{
+    m->run_id = s->stamp.run_id;
+    m->seq = s->stamp.seq;
+    m->k = s->stamp.k;
+    m->time_us = s->stamp.time_us;
+    m->utime_us = s->utime_us;
+    m->state = (int8_t)s->state;
+    m->last = s->last;
+    m->fault = s->fault;
+}
+
+static void pack_counts(exk_status_t *m, const exk_wire_status *s)
+{
+    m->n_steps = s->n_steps;
+    m->n_overruns = s->n_overruns;
+    m->n_bad_samples = s->n_bad;
+    m->n_poses = s->n_poses;
+    m->n_dropped = s->n_dropped;
+    m->ring_deepest = s->ring_deepest;
+    m->n_drilled = s->n_drilled;
+    m->n_inside = s->n_inside;
+    m->lateness_p50_ns = s->lateness_ns[0];
+    m->lateness_p99_ns = s->lateness_ns[1];
+    m->lateness_max_ns = s->lateness_ns[2];
+    m->step_p50_ns = s->step_ns[0];
+    m->step_p99_ns = s->step_ns[1];
+    m->step_max_ns = s->step_ns[2];
+}
+
+/* The generated struct wants char pointers that it may write; it gets copies. */
+int exk_wire_status_encode(const exk_wire_status *status, void *buffer, size_t size)
+{
+    char reason[EXK_WIRE_TEXT_MAX];
+    char rights[EXK_WIRE_TEXT_MAX];
+    exk_wire_copy_text(reason, sizeof reason, status->reason);
+    exk_wire_copy_text(rights, sizeof rights, status->rights);
+    exk_status_t m = {.reason = reason, .rights = rights};
+    pack_stamp(&m, status);
+    pack_counts(&m, status);
+    return exk_status_t_encode(buffer, 0, (int)size, &m);
+}
+
+static size_t fixed_bytes(void)
+{
+    char empty[] = "";
+    const exk_status_t m = {.reason = empty, .rights = empty};
+    return (size_t)exk_status_t_encoded_size(&m) - 2 * (4 + 1);
+}
+
+static bool looks_whole(const void *data, size_t bytes)
+{
+    size_t at = fixed_bytes();
+    return exk_wire_skip_text(data, bytes, &at) && exk_wire_skip_text(data, bytes, &at) &&
+           at == bytes;
+}
+
+static void unpack_stamp(exk_wire_status *s, const exk_status_t *m)
+{
+    s->stamp = (exk_wire_stamp){m->run_id, m->seq, m->k, m->time_us};
+    s->utime_us = m->utime_us;
+    s->state = (exk_state)m->state;
+    s->last = m->last;
+    s->fault = m->fault;
+    exk_wire_copy_text(s->reason, sizeof s->reason, m->reason);
+    exk_wire_copy_text(s->rights, sizeof s->rights, m->rights);
+}
+
+static void unpack_counts(exk_wire_status *s, const exk_status_t *m)
+{
+    s->n_steps = m->n_steps;
+    s->n_overruns = m->n_overruns;
+    s->n_bad = m->n_bad_samples;
+    s->n_poses = m->n_poses;
+    s->n_dropped = m->n_dropped;
+    s->ring_deepest = m->ring_deepest;
+    s->n_drilled = m->n_drilled;
+    s->n_inside = m->n_inside;
+    s->lateness_ns[0] = m->lateness_p50_ns;
+    s->lateness_ns[1] = m->lateness_p99_ns;
+    s->lateness_ns[2] = m->lateness_max_ns;
+    s->step_ns[0] = m->step_p50_ns;
+    s->step_ns[1] = m->step_p99_ns;
+    s->step_ns[2] = m->step_max_ns;
+}
+
+bool exk_wire_status_decode(const void *data, size_t bytes, exk_wire_status *out)
+{
+    exk_status_t m = {0};
+    if (bytes > INT32_MAX || !looks_whole(data, bytes) ||
+        exk_status_t_decode(data, 0, (int)bytes, &m) != (int)bytes) {
+        return false;
+    }
+    const bool known = m.state >= 0 && m.state < (int)EXK_STATE_COUNT;
+    if (known) {
+        memset(out, 0, sizeof *out);
+        unpack_stamp(out, &m);
+        unpack_counts(out, &m);
+    }
+    exk_status_t_decode_cleanup(&m);
+    return known;
+}
