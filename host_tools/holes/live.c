@@ -1,0 +1,152 @@
+#define _POSIX_C_SOURCE 200809L
+#include "live.h"
+
+#include <inttypes.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "exk/bus.h"
+#include "exk/profile.h"
+#include "exk/wire.h"
+#include "terminal.h"
+
+enum { WAIT_MS = 100, LINES_PER_S = 5 };
+
+static const double SILENCE_S = 5.0;
+
+static volatile sig_atomic_t stop_asked; /* written by the signal handler only */
+
+typedef struct {
+    exk_run_log *log;
+    double heard_s; /* time of the last message */
+    bool no_memory;
+} listener;
+
+static void on_signal(int number)
+{
+    stop_asked = number;
+}
+
+static double now_s(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void on_message(void *ctx, const char *channel, const void *data, size_t bytes,
+                       int64_t received_us)
+{
+    listener *self = ctx;
+    (void)received_us;
+    self->heard_s = now_s();
+    if (!exk_run_log_feed(self->log, channel, data, bytes)) {
+        self->no_memory = true;
+    }
+}
+
+void hole_live_url(const char *given, char *out, size_t size)
+{
+    const char *environment = getenv("LCM_DEFAULT_URL");
+    if (given != NULL) {
+        snprintf(out, size, "%s", given);
+    } else if (environment != NULL && *environment != '\0') {
+        snprintf(out, size, "%s", environment);
+    } else {
+        const exk_profile profile = exk_profile_default();
+        snprintf(out, size, "%s", profile.telemetry.url);
+    }
+}
+
+static void catch_signals(void)
+{
+    struct sigaction action = {.sa_handler = on_signal};
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+}
+
+static void show_progress(const exk_run_log *log, bool last)
+{
+    const exk_sample *sample = log->n_samples > 0 ? &log->samples[log->n_samples - 1] : NULL;
+    if (sample == NULL) {
+        fputs("\rexk-holes: waiting for a run ", stderr);
+    } else {
+        fprintf(stderr,
+                "\rexk-holes: tick %" PRId64 " of %" PRId64 ", hole %d of %zu, %" PRId64
+                " lost ",
+                sample->k + 1, log->n_ticks, (int)sample->hole + 1, log->n_holes, log->n_lost);
+    }
+    if (last) {
+        fputc('\n', stderr);
+    }
+    fflush(stderr);
+}
+
+static bool is_over(const listener *self, double begin_s, double seconds)
+{
+    const double now = now_s();
+    const bool silent = self->log->n_samples > 0 && now - self->heard_s > SILENCE_S;
+    return stop_asked != 0 || self->no_memory || self->log->ended || silent ||
+           (seconds > 0.0 && now - begin_s > seconds);
+}
+
+/* DONE was said: the last poses and the last status may still be on their way. */
+static void drain(exk_bus *bus, const listener *self)
+{
+    while (!self->log->closed && exk_bus_wait(bus, WAIT_MS) > 0) {
+    }
+}
+
+static void follow(exk_bus *bus, listener *self, double seconds, bool progress)
+{
+    const double begin_s = now_s();
+    double shown_s = 0.0;
+    while (!is_over(self, begin_s, seconds)) {
+        if (exk_bus_wait(bus, WAIT_MS) < 0) {
+            break;
+        }
+        if (progress && now_s() - shown_s > 1.0 / LINES_PER_S) {
+            shown_s = now_s();
+            show_progress(self->log, false);
+        }
+    }
+    if (self->log->ended) {
+        drain(bus, self);
+    }
+    if (progress) {
+        show_progress(self->log, true);
+    }
+}
+
+int hole_live_listen(exk_run_log *log, const char *url, double seconds, bool quiet, char *why,
+                     size_t why_size)
+{
+    listener self = {.log = log};
+    exk_bus *bus = exk_bus_open(url, true, why, why_size);
+    if (bus == NULL) {
+        return 3;
+    }
+    if (!exk_bus_listen(bus, EXK_CHANNEL_ALL, on_message, &self, why, why_size)) {
+        exk_bus_close(bus);
+        return 3;
+    }
+    catch_signals();
+    follow(bus, &self, seconds, !quiet && exk_is_terminal(stderr));
+    exk_bus_close(bus);
+    if (self.no_memory) {
+        snprintf(why, why_size, "%s: out of memory after %zu samples", url, log->n_samples);
+        return 3;
+    }
+    if (log->n_samples == 0) {
+        snprintf(
+            why, why_size,
+            "%s: no EXK_POSE message heard: start exk-loop on this URL, and check the route "
+            "with exk-doctor",
+            url);
+        return 2;
+    }
+    return 0;
+}
