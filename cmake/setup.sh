@@ -57,7 +57,7 @@ show_time() {
 
 show_failure() {
     note "--- the last lines of ${2#"$exk_root"/}:"
-    tail -n 40 "$2" >&2
+    tail -n 25 "$2" >&2
     note "--- $1 failed; the whole log is ${2#"$exk_root"/}"
 }
 
