@@ -90,14 +90,14 @@ exk_err exk_tripod_position(const exk_tripod *tri, const exk_tripod_pose *pose, 
 
 /** Pose from three lengths, by Newton on (alpha, beta, h) and the squared lengths.
  *
- *  start   last pose, or NULL for a cold start (first-order pose of these lengths); one that leads to no good
- *          pose, or is not finite, is followed by a cold one.
+ *  start   last pose, or NULL for a cold start, a pose estimated from the lengths. A start that
+ *          is not finite, or leads to no good pose, is followed by a cold one.
  *  pose    within every limit; legs re-computed from it differ by report.residual_m.
  *  Errors  EXK_ERR_ARG a length not finite; EXK_ERR_LIMIT a length outside the stroke, or the
  *          pose found has an angle beyond its limit; EXK_ERR_SINGULAR the iteration ran into, or
  *          ended on, a singular pose; EXK_ERR_UNREACHABLE it ended on another assembly branch;
- *          EXK_ERR_NO_CONVERGE residual above 1e-9 m after EXK_TRIPOD_STEPS_MAX steps (also the
- *          answer where the lengths close no assembly at all).
+ *          EXK_ERR_NO_CONVERGE not down to rounding after EXK_TRIPOD_STEPS_MAX steps, or a residual
+ *          above 1e-9 m (also the answer where the lengths close no assembly at all).
  *  report  may be NULL. */
 exk_err exk_tripod_forward(const exk_tripod *tri, const double legs_m[EXK_N_LEGS],
                            const exk_tripod_pose *start, exk_tripod_pose *pose,

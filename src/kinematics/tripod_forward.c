@@ -19,6 +19,8 @@
 /* Beyond 60 deg another branch may begin (section 5): geometry.h admits no larger limit. */
 #define BRANCH_TAN 1.7320508075688772
 
+enum { COLD_PASSES = 2 };
+
 typedef struct {
     double sigma; /* (l1^2 + l3^2)/2 */
     double d;     /* (l1^2 - l3^2)/2 */
@@ -36,19 +38,26 @@ static double clamp(double value, double most)
     return fmax(-most, fmin(most, value));
 }
 
-/* First-order solution about the centre line: Sigma = h^2 + (a - b)^2 + 2 h d2 beta,
- * D = 2 h a alpha, l2^2 = h^2 + (d2 - d4)^2; the angles kept inside the limit. */
+/* A start from the lengths alone. Given sin(beta), the three equations of section 5 give in turn
+ * h from l2, alpha from D and a better sin(beta) from Sigma, a quadratic in c = d2 sin(beta):
+ *   c^2 + 2 h cos(alpha) c + h^2 + a^2 + b^2 - 2 a b cos(alpha) - Sigma = 0,
+ * whose larger root has r = c + h cos(alpha) > 0. Twice round from beta = 0 comes near enough;
+ * all is clamped to where a working pose can be. */
 static exk_tripod_pose cold_start(const exk_tripod *tri, const squares *want)
 {
-    const double ab = tri->a_m - tri->b_m, k0 = tri->d2_m - tri->d4_m;
-    const double h13sq = fmax(want->sigma - ab * ab, 0.01 * want->sigma);
-    const double h2sq = fmax(want->l2sq - k0 * k0, 0.01 * want->l2sq);
-    const double h = sqrt(h2sq);
-    return (exk_tripod_pose){
-        .alpha_rad = clamp(want->d / (2.0 * h * tri->a_m), tri->tan_max),
-        .beta_rad = clamp((h13sq - h2sq) / (2.0 * h * tri->d2_m), tri->tan_max),
-        .h_m = h,
-    };
+    const double a = tri->a_m, b = tri->b_m, d2 = tri->d2_m;
+    const double sin_max = tri->tan_max / sqrt(1.0 + tri->tan_max * tri->tan_max);
+    double sb = 0.0, sa = 0.0, h = 0.0;
+    for (int pass = 0; pass < COLD_PASSES; pass++) {
+        const double k = d2 * sqrt(1.0 - sb * sb) - tri->d4_m;
+        h = sqrt(fmax(want->l2sq - k * k, 0.01 * want->l2sq));
+        sa = clamp(want->d / (2.0 * (h * a + b * d2 * sb)), sin_max);
+        const double ca = sqrt(1.0 - sa * sa);
+        const double rest = h * h + a * a + b * b - 2.0 * a * b * ca - want->sigma;
+        const double root = sqrt(fmax(h * h * ca * ca - rest, 0.0));
+        sb = clamp((root - h * ca) / d2, sin_max);
+    }
+    return (exk_tripod_pose){.alpha_rad = asin(sa), .beta_rad = asin(sb), .h_m = h};
 }
 
 static exk_attitude attitude_at(const exk_tripod_pose *pose)
@@ -100,7 +109,8 @@ static double worst_defect(const squares *defect)
     return fmax(fabs(defect->sigma) + fabs(defect->d), fabs(defect->l2sq));
 }
 
-/* Steps until the defect is down to rounding or the bound is met. */
+/* Steps until the defect is down to rounding. A start that needs more steps than the bound is
+ * given up, however near it came: the cold start then does better. */
 static exk_err iterate(const exk_tripod *tri, const squares *want, exk_tripod_pose *pose,
                        exk_attitude *att, int *n_iter)
 {
@@ -108,8 +118,11 @@ static exk_err iterate(const exk_tripod *tri, const squares *want, exk_tripod_po
         *n_iter = n;
         *att = attitude_at(pose);
         const squares defect = defect_at(tri, att, want);
-        if (worst_defect(&defect) <= CONVERGED * want->sigma || n == EXK_TRIPOD_STEPS_MAX) {
+        if (worst_defect(&defect) <= CONVERGED * want->sigma) {
             return EXK_OK;
+        }
+        if (n == EXK_TRIPOD_STEPS_MAX) {
+            return EXK_ERR_NO_CONVERGE;
         }
         exk_err err = newton_step(tri, att, &defect, want->sigma, pose);
         if (err != EXK_OK) {
