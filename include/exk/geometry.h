@@ -10,6 +10,8 @@
 #ifndef EXK_GEOMETRY_H
 #define EXK_GEOMETRY_H
 
+#include <stddef.h>
+
 #include "exk/err.h"
 
 /* No length of a machine is larger: keeps every square below overflow. */
@@ -47,5 +49,12 @@ exk_geometry exk_geometry_default(void);
  *  (above 0, at most 60 deg: beyond that two assembly branches meet) and the ratios. The first
  *  fault is reported. fault may be NULL; it is written only when a bound is broken. */
 exk_err exk_geometry_check(const exk_geometry *geo, exk_geometry_fault *fault);
+
+enum { EXK_GEOMETRY_FAULTS_MAX = 11 };
+
+/** All faults in that order, up to capacity; ratios only when every length is good. Returns how
+ *  many were written. */
+size_t exk_geometry_faults(const exk_geometry *geo, exk_geometry_fault *faults,
+                           size_t capacity);
 
 #endif

@@ -81,20 +81,27 @@ typedef struct {
 
 exk_profile exk_profile_default(void);
 
-/** Reads a whole text. faults is filled in line order up to capacity; n_faults counts them all. */
+/** Default height of the holes: z0 in the models P and U, z0 + e + t in the machine model. */
+double exk_profile_plane_z(const exk_profile *profile);
+
+/** Reads a whole text. profile is written on EXK_OK only, its name empty. faults is filled in line
+ *  order up to capacity, those of line 0 first; n_faults counts them all. */
 exk_err exk_profile_parse(const char *text, exk_profile *profile, exk_fault *faults,
                           size_t capacity, size_t *n_faults);
 
-/** Writes the effective profile as a text that parse reads back to the same bits. Returns the
- *  length needed without the final NUL, like snprintf. */
+/** Writes the effective profile as a text that parse reads back to the same bits (as long as no
+ *  text in it is longer than a line of 198 characters). Returns the length needed without the final
+ *  NUL, like snprintf. */
 size_t exk_profile_print(const exk_profile *profile, char *out, size_t size);
 
-/** The canonical text that the job hash covers: [machine], [kinematics], [job], dt_s and the
- *  holes, so that seed, noise, telemetry and gains may change. Returns the length as above. */
+/** The canonical text that the job hash covers: [machine], [kinematics], [job] (but for the file,
+ *  whose holes stand for it), dt_s and the holes, so that seed, noise, telemetry and gains may
+ *  change. Returns the length as above. */
 size_t exk_profile_job_text(const exk_profile *profile, const exk_hole *holes, size_t n_holes,
                             char *out, size_t size);
 
-/** The table of keys as text for people: section, key, unit, range, default, meaning. */
+/** The table of keys as a page for people (Markdown): section, key, unit, range, default, meaning.
+ *  Returns the length as above. */
 size_t exk_profile_manual(char *out, size_t size);
 
 #endif

@@ -28,22 +28,24 @@ exk_geometry exk_geometry_default(void)
     };
 }
 
+typedef struct {
+    exk_geometry_fault *faults;
+    size_t capacity;
+    size_t n;
+} fault_list;
+
 /* Written so that a NaN value is a fault. */
-static exk_err first_fault(const exk_geometry_fault *rows, int n_rows, double slack,
-                           exk_geometry_fault *fault)
+static void add_faults(const exk_geometry_fault *rows, int n_rows, double slack,
+                       fault_list *list)
 {
-    for (int i = 0; i < n_rows; i++) {
+    for (int i = 0; i < n_rows && list->n < list->capacity; i++) {
         if (!(rows[i].value >= rows[i].min - slack && rows[i].value <= rows[i].max + slack)) {
-            if (fault != NULL) {
-                *fault = rows[i];
-            }
-            return EXK_ERR_ARG;
+            list->faults[list->n++] = rows[i];
         }
     }
-    return EXK_OK;
 }
 
-static exk_err check_lengths(const exk_geometry *geo, exk_geometry_fault *fault)
+static void check_lengths(const exk_geometry *geo, fault_list *list)
 {
     const exk_geometry_fault rows[N_LENGTHS + 1] = {
         {"d1", geo->d1_m, EXK_LENGTH_MIN_M, EXK_LENGTH_MAX_M},
@@ -58,10 +60,10 @@ static exk_err check_lengths(const exk_geometry *geo, exk_geometry_fault *fault)
         {"t", geo->t_m, 0.0, EXK_LENGTH_MAX_M},
         {"angle_max", geo->angle_max_rad, DBL_MIN, ANGLE_LIMIT_RAD},
     };
-    return first_fault(rows, N_LENGTHS + 1, 0.0, fault);
+    add_faults(rows, N_LENGTHS + 1, 0.0, list);
 }
 
-static exk_err check_ratios(const exk_geometry *geo, exk_geometry_fault *fault)
+static void check_ratios(const exk_geometry *geo, fault_list *list)
 {
     const exk_geometry_fault rows[N_RATIOS] = {
         {"p1 = d1/(2 d5)", geo->d1_m / (2.0 * geo->d5_m), 0.5, 0.8},
@@ -69,11 +71,27 @@ static exk_err check_ratios(const exk_geometry *geo, exk_geometry_fault *fault)
         {"p3 = 2 d3/d1", 2.0 * geo->d3_m / geo->d1_m, 0.5, 1.0},
         {"p4 = d4/d3", geo->d4_m / geo->d3_m, 0.75, 0.75},
     };
-    return first_fault(rows, N_RATIOS, RATIO_SLACK, fault);
+    add_faults(rows, N_RATIOS, RATIO_SLACK, list);
+}
+
+size_t exk_geometry_faults(const exk_geometry *geo, exk_geometry_fault *faults, size_t capacity)
+{
+    fault_list list = {faults, capacity, 0};
+    check_lengths(geo, &list);
+    if (list.n == 0) {
+        check_ratios(geo, &list);
+    }
+    return list.n;
 }
 
 exk_err exk_geometry_check(const exk_geometry *geo, exk_geometry_fault *fault)
 {
-    exk_err err = check_lengths(geo, fault);
-    return err != EXK_OK ? err : check_ratios(geo, fault);
+    exk_geometry_fault first;
+    if (exk_geometry_faults(geo, &first, 1) == 0) {
+        return EXK_OK;
+    }
+    if (fault != NULL) {
+        *fault = first;
+    }
+    return EXK_ERR_ARG;
 }
