@@ -1,0 +1,13 @@
+# A full disk: the controller finishes its job, says so once, exit 3; what is left ends at a whole record.
+. "$(dirname "$0")/common.sh"
+mkdir small
+mount -t tmpfs -o size=256k tmpfs small 2>/dev/null || exit 77
+trap 'umount "$work/small"; rm -rf "$work"' EXIT
+expect_code 3 "$bin/exk-loop" "$profiles/rectangle.ini" --fast -r small/run.lcm
+expect_part err "No space left on device"
+[ "$(grep -c 'No space left' err)" -eq 1 ] || fail "said more than once"
+expect_part out "4 of 4 holes drilled"
+expect_code 3 "$bin/exk-ilc" train "$profiles/rectangle.ini" -n 1 -o small/full.ilc
+expect_part err "small/full.ilc: cannot write the ILC store, the old one stays: No space left on device"
+[ -e small/full.ilc ] && fail "half a store is left"
+exit 0
