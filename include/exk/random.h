@@ -38,7 +38,4 @@ double exk_normal(const exk_stream *stream, int64_t k);
 /** Two independent standard normals from one block; z[0] equals exk_normal(stream, k). */
 void exk_normal_pair(const exk_stream *stream, int64_t k, double z[2]);
 
-/** Quantile of the standard normal, p in (0, 1); NaN outside. */
-double exk_normal_quantile(double p);
-
 #endif

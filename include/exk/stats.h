@@ -39,9 +39,6 @@ typedef struct {
     double high;
 } exk_interval;
 
-/** z with P(Z <= z) = p, by Newton on erfc; NaN unless 0 < p < 1. */
-double exk_normal_quantile(double p);
-
 /** Wilson interval of k good ones in n, for a confidence such as 0.95. */
 exk_interval exk_wilson(uint64_t k, uint64_t n, double confidence);
 

@@ -1,36 +1,13 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "exk/quantile.h"
 #include "exk/stats.h"
 #include "exk/units.h"
 
 static bool is_fraction(double p)
 {
     return p > 0.0 && p < 1.0; /* false for NaN */
-}
-
-/* Tail of the upper half, so that nothing cancels: erfc(z/sqrt 2)/2 = tail, started from the bound
- * tail = exp(-z^2/2)/2 and improved by Newton, which is monotone from there. */
-static double upper_quantile(double tail)
-{
-    double z = sqrt(-2.0 * log(2.0 * tail));
-    for (int i = 0; i < 60; i++) {
-        const double excess = 0.5 * erfc(z / sqrt(2.0)) - tail;
-        const double step = excess * sqrt(2.0 * EXK_PI) * exp(0.5 * z * z);
-        z += step;
-        if (fabs(step) <= 1e-15 * (1.0 + z)) {
-            break;
-        }
-    }
-    return z;
-}
-
-double exk_normal_quantile(double p)
-{
-    if (!is_fraction(p)) {
-        return NAN;
-    }
-    return p < 0.5 ? -upper_quantile(p) : upper_quantile(1.0 - p);
 }
 
 exk_interval exk_wilson(uint64_t k, uint64_t n, double confidence)

@@ -3,6 +3,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include "exk/quantile.h"
 #include "exk/random.h"
 #include "unity.h"
 

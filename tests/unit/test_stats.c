@@ -1,6 +1,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "exk/quantile.h"
 #include "exk/stats.h"
 #include "unity.h"
 
