@@ -61,7 +61,8 @@ typedef struct {
 } exk_rights;
 
 /** Asks for SCHED_FIFO, locked memory, an affinity and 1 ns of timer slack for the calling thread;
- *  goes on without. */
+ *  goes on without. Locks what is mapped now: later allocations stay possible under a small
+ *  limit, so ask when everything is set up. */
 void exk_rights_ask(int priority, int cpu, exk_rights *out);
 
 /** Makes the calling thread an ordinary one on any CPU: for a helper thread started after the asking. */

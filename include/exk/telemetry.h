@@ -52,7 +52,6 @@ typedef struct {
     bool fast;
     const char *url;         /* NULL: no bus */
     const char *record_path; /* NULL: no file; refused when it exists and is not an LCM log */
-    char rights[128];        /* granted real-time rights, for the status message */
     const exk_histogram *lateness;  /* written by the control thread; NULL in fast mode */
     const exk_histogram *step_time; /* the same */
 } exk_run_info;
@@ -61,6 +60,11 @@ typedef struct exk_publisher exk_publisher;
 
 /** Starts the thread. On failure returns NULL and why says what failed and what to do. */
 exk_publisher *exk_publisher_start(const exk_run_info *info, char *why, size_t why_size);
+
+/** Tells the status messages which real-time rights were granted. Rights are asked after start, so
+ *  that the thread is an ordinary one and memory is locked when all of it is there. Once, before
+ *  the first push; text of up to 127 characters is copied. */
+void exk_publisher_set_rights(exk_publisher *pub, const char *text);
 
 /** Control thread: hands over one record; real time: never waits; fast: waits for room. */
 void exk_publisher_push(exk_publisher *pub, const exk_record *record);

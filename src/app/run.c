@@ -10,6 +10,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "exk/event_file.h"
 #include "exk/realtime.h"
 #include "exk/telemetry.h"
 #include "progress.h"
@@ -157,7 +158,18 @@ static void describe(const loop_options *options, run *r, exk_realisation which,
     };
 }
 
-static bool start_publisher(const loop_options *options, run *r, exk_run_info *info)
+static bool record_allowed(const loop_options *options)
+{
+    char why[512];
+    if (options->record_path == NULL ||
+        exk_event_path_allowed(options->record_path, why, sizeof why)) {
+        return true;
+    }
+    fprintf(stderr, "exk-loop: %s\n", why);
+    return false;
+}
+
+static bool start_publisher(run *r, exk_run_info *info)
 {
     char why[512];
     const size_t length = exk_profile_print(info->profile, NULL, 0);
@@ -174,17 +186,18 @@ static bool start_publisher(const loop_options *options, run *r, exk_run_info *i
         fprintf(stderr, "exk-loop: %s\n", why);
         return false;
     }
-    if (!options->quiet && !options->fast) {
-        fprintf(stderr, "exk-loop: %s\n", info->rights);
-    }
     return true;
 }
 
-static void ask_rights(const exk_rig *rig, exk_run_info *info)
+static void ask_rights(const loop_options *options, run *r)
 {
     exk_rights rights;
-    exk_rights_ask(rig->profile.timing.priority, rig->profile.timing.cpu, &rights);
-    snprintf(info->rights, sizeof info->rights, "%s", rights.text);
+    const exk_timing_config *timing = &r->rig->profile.timing;
+    exk_rights_ask(timing->priority, timing->cpu, &rights);
+    exk_publisher_set_rights(r->publisher, rights.text);
+    if (!options->quiet) {
+        fprintf(stderr, "exk-loop: %s\n", rights.text);
+    }
 }
 
 static int finish(const loop_options *options, run *r)
@@ -204,8 +217,7 @@ static int finish(const loop_options *options, run *r)
     };
     loop_summary_print(&ending, options->quiet);
     if (!summary.bus_ok || !summary.file_ok) {
-        fprintf(stderr, "exk-loop: %s\n", summary.why);
-        return EXIT_IO;
+        return EXIT_IO; /* the publisher said why when it happened */
     }
     return stop_signal != 0 || r->k_fault >= 0 ? EXIT_ENDED_EARLY : 0;
 }
@@ -226,11 +238,14 @@ int loop_run(const loop_options *options, exk_rig *rig, const exk_store *store)
     r = (run){.rig = rig, .k_fault = -1, .fast = options->fast};
     describe(options, &r, which, &info);
     catch_signals();
-    if (!options->fast) {
-        ask_rights(rig, &info);
+    if (!record_allowed(options)) {
+        return EXIT_INPUT;
     }
-    if (!start_publisher(options, &r, &info)) {
+    if (!start_publisher(&r, &info)) {
         return EXIT_IO;
+    }
+    if (!options->fast) {
+        ask_rights(options, &r);
     }
     r.progress.n_ticks = rig->plan.n_ticks;
     r.progress.n_holes = (int32_t)rig->n_holes;

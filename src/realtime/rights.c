@@ -39,7 +39,7 @@ void exk_rights_ask(int priority, int cpu, exk_rights *out)
     char fifo[48];
     char pinned[32];
     *out = (exk_rights){.slack = prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL) == 0};
-    out->locked = mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
+    out->locked = mlockall(MCL_CURRENT) == 0;
     prefault_stack();
     out->pinned = ask_cpu(cpu);
     out->fifo = ask_fifo(priority);

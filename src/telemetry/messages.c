@@ -148,6 +148,11 @@ static void note_ring(exk_messages *m, const exk_ring_figures *ring)
     m->status.ring_deepest = ring->deepest;
 }
 
+void exk_messages_set_rights(exk_messages *m, const char *text)
+{
+    snprintf(m->status.rights, sizeof m->status.rights, "%s", text);
+}
+
 void exk_messages_tick(exk_messages *m, int64_t now_us, const exk_ring_figures *ring)
 {
     note_ring(m, ring);

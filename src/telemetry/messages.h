@@ -60,6 +60,9 @@ typedef struct {
     int64_t deepest;
 } exk_ring_figures;
 
+/** What the status messages say of the real-time rights granted. */
+void exk_messages_set_rights(exk_messages *m, const char *text);
+
 /** Sends what is due at now_us. */
 void exk_messages_tick(exk_messages *m, int64_t now_us, const exk_ring_figures *ring);
 

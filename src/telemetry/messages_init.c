@@ -88,8 +88,6 @@ bool exk_messages_init(exk_messages *m, const exk_run_info *info, char *why, siz
     m->next_status_us = m->status_period_us;
     m->lateness = info->fast ? NULL : info->lateness;
     m->step_time = info->fast ? NULL : info->step_time;
-    snprintf(m->status.rights, sizeof m->status.rights, "%.*s", (int)(sizeof info->rights - 1),
-             info->rights);
     m->status.state = EXK_STATE_INIT;
     if (!set_up(m, info, why, why_size)) {
         exk_messages_free(m);

@@ -23,6 +23,8 @@ struct exk_publisher {
     bool fast;
     int64_t t0_us;
     _Atomic bool stopping;
+    _Atomic bool has_rights; /* rights is written; the publisher may read it */
+    char rights[128];
 
     /* the control thread's own; the publisher reads them once stopping is set */
     int64_t every;
@@ -55,6 +57,9 @@ static exk_ring_figures figures(const exk_publisher *pub)
 
 static void tick(exk_publisher *pub, int64_t now_us)
 {
+    if (atomic_load_explicit(&pub->has_rights, memory_order_acquire)) {
+        exk_messages_set_rights(&pub->messages, pub->rights);
+    }
     const exk_ring_figures ring = figures(pub);
     exk_messages_tick(&pub->messages, now_us, &ring);
 }
@@ -188,6 +193,12 @@ exk_publisher *exk_publisher_start(const exk_run_info *info, char *why, size_t w
         return give_up(pub);
     }
     return pub;
+}
+
+void exk_publisher_set_rights(exk_publisher *pub, const char *text)
+{
+    snprintf(pub->rights, sizeof pub->rights, "%s", text);
+    atomic_store_explicit(&pub->has_rights, true, memory_order_release);
 }
 
 /* Numbers the poses: the first of each block of every ticks, each judged one, and the last of a

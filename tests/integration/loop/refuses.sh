@@ -26,7 +26,7 @@ expect_code 0 "$bin/exk-loop" printed.ini --print
 cmp out printed.ini || fail "--print does not read back to itself"
 
 echo "my notes" >notes.lcm
-expect_code 3 "$bin/exk-loop" good.ini --fast -r notes.lcm
-expect_part err "notes.lcm: exists and is not an LCM log"
+expect_code 2 "$bin/exk-loop" good.ini --fast -r notes.lcm
+expect_text err "exk-loop: notes.lcm exists and is not an LCM log: not overwritten; choose another name or move it away"
 [ "$(cat notes.lcm)" = "my notes" ] || fail "a file that is not ours was overwritten"
 exit 0
