@@ -92,6 +92,7 @@ if(BUILD_TESTING)
         target_include_directories(exk_unity SYSTEM PUBLIC ${EXK_UNITY_DIR})
         target_compile_definitions(exk_unity PUBLIC UNITY_INCLUDE_DOUBLE
             UNITY_DOUBLE_PRECISION=1e-12)
+        target_compile_options(exk_unity PUBLIC -Wno-cast-qual) # its array macros drop const
     else()
         message(STATUS "exk: Unity: not found, so the tests are off. Run ./check once (it fetches "
             "Unity), or pass -DUNITY_SOURCE_DIR=DIR with the folder of unity.c.")

@@ -66,7 +66,7 @@ function(exk_test label name)
         return()
     endif()
     add_executable(${name} ${TEST_SOURCES})
-    target_link_libraries(${name} PRIVATE ${TEST_NEEDS} exk_unity exk_warnings m)
+    target_link_libraries(${name} PRIVATE ${TEST_NEEDS} exk_warnings exk_unity m)
     target_compile_definitions(${name} PRIVATE
         EXK_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
         EXK_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
