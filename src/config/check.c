@@ -120,6 +120,20 @@ static double length_mm(const exk_geometry *geo, size_t at)
     return value_m * EXK_MM_PER_M;
 }
 
+/* "0.5 to 1", or "0.75" where one value alone is allowed. */
+typedef struct {
+    char text[2 * EXK_NUMBER_SIZE + 4];
+} shown_span;
+
+static shown_span show_span(double min, double max)
+{
+    shown_span span;
+    const bool one = strcmp(show(min).text, show(max).text) == 0;
+    snprintf(span.text, sizeof(span.text), "%s%s%s", show(min).text, one ? "" : " to ",
+             one ? "" : show(max).text);
+    return span;
+}
+
 /* Blames the key that the file gives, the upper one where it gives both or none, and says which
  * lengths of it would do. */
 static void say_ratio(exk_profile_reader *r, const ratio_keys *keys,
@@ -131,17 +145,15 @@ static void say_ratio(exk_profile_reader *r, const ratio_keys *keys,
     const bool upper =
         given(r, EXK_IN_MACHINE, 0, keys->over) || !given(r, EXK_IN_MACHINE, 0, keys->under);
     const char *name = upper ? keys->over : keys->under;
-    const double least =
-        upper ? over * fault->min / fault->value : under * fault->value / fault->max;
-    const double most =
-        upper ? over * fault->max / fault->value : under * fault->value / fault->min;
-    exk_faults_add(
-        &r->faults, line_of(r, EXK_IN_MACHINE, 0, name),
-        "[machine] %s: ratio %s out of range: found %s, allowed %s to %s (%s = %s, %s = "
-        "%s); choose %s %s to %s",
-        name, fault->name, show(fault->value).text, show(fault->min).text,
-        show(fault->max).text, keys->over, show(over).text, keys->under, show(under).text, name,
-        show(least).text, show(most).text);
+    const double length = upper ? over / fault->value : under * fault->value;
+    const double least = upper ? length * fault->min : length / fault->max;
+    const double most = upper ? length * fault->max : length / fault->min;
+    exk_faults_add(&r->faults, line_of(r, EXK_IN_MACHINE, 0, name),
+                   "[machine] %s: ratio %s out of range: found %s, allowed: %s (%s = %s, %s = "
+                   "%s); choose %s %s",
+                   name, fault->name, show(fault->value).text,
+                   show_span(fault->min, fault->max).text, keys->over, show(over).text,
+                   keys->under, show(under).text, name, show_span(least, most).text);
 }
 
 static const ratio_keys *find_ratio(const char *fault_name)
@@ -193,22 +205,34 @@ static void check_job(exk_profile_reader *r)
     }
 }
 
+/* The rule is exk_pid_init's; this names the gain that breaks it. */
 static void check_feedback(exk_profile_reader *r)
 {
-    const exk_feedback_config *cfg = &r->profile.feedback;
-    const exk_pid_config *pid = &cfg->pid;
+    static const char unstable[] = "unstable with one step of delay";
+    const exk_pid_config *pid = &r->profile.feedback.pid;
+    const double ki_max = 2.0 * (1.0 - pid->kp) / pid->dt_s;
     exk_feedback trial;
-    if (exk_feedback_init(&trial, cfg) == EXK_OK) {
+    if (exk_feedback_init(&trial, &r->profile.feedback) == EXK_OK) {
         return;
     }
-    const char *name = pid->kp < 1.0 ? (pid->kd > 0.0 ? "kd_s" : "ki_per_s") : "kp";
-    exk_faults_add(
-        &r->faults, line_of(r, EXK_IN_CONTROL, 0, name),
-        "[control] %s: unstable with one step of delay: found kp = %s, ki dt = %s, kd/dt "
-        "= %s, allowed: kp below 1, ki dt below 2 (1 - kp), here ki_per_s below %s%s",
-        name, show(pid->kp).text, show(pid->ki * pid->dt_s).text,
-        show(pid->kd / pid->dt_s).text, show(fmax(0.0, 2.0 * (1.0 - pid->kp) / pid->dt_s)).text,
-        pid->kd > 0.0 ? "; lower kd_s" : "");
+    if (!(pid->kp < 1.0)) {
+        exk_faults_add(&r->faults, line_of(r, EXK_IN_CONTROL, 0, "kp"),
+                       "[control] kp: %s: found %s, allowed: below 1", unstable,
+                       show(pid->kp).text);
+    } else if (!(pid->ki < ki_max)) {
+        exk_faults_add(
+            &r->faults, line_of(r, EXK_IN_CONTROL, 0, "ki_per_s"),
+            "[control] ki_per_s: %s: found %s with kp = %s, allowed: below 2 (1 - kp) "
+            "rate_Hz = %s 1/s",
+            unstable, show(pid->ki).text, show(pid->kp).text, show(ki_max).text);
+    } else {
+        exk_faults_add(
+            &r->faults, line_of(r, EXK_IN_CONTROL, 0, "kd_s"),
+            "[control] kd_s: %s: found %s with kp = %s, ki_per_s = %s, d_filter_s = %s; "
+            "lower kd_s or lengthen d_filter_s",
+            unstable, show(pid->kd).text, show(pid->kp).text, show(pid->ki).text,
+            show(pid->d_filter_s).text);
+    }
 }
 
 static void check_learning(exk_profile_reader *r)
@@ -229,8 +253,8 @@ static void check_learning(exk_profile_reader *r)
     }
     exk_faults_add(
         &r->faults, line_of(r, EXK_IN_CONTROL, 0, "ilc_gain"),
-        "[control] ilc_gain: learning would not settle: found ilc_gain = %s, ilc_d_gain "
-        "/ dt = %s, allowed: ilc_gain + 2 ilc_d_gain / dt below 2",
+        "[control] ilc_gain: learning would not settle: found ilc_gain = %s, ilc_d_gain_s "
+        "rate_Hz = %s, allowed: ilc_gain + 2 ilc_d_gain_s rate_Hz below 2",
         show(ilc->gain).text, show(ilc->d_gain_s / ilc->dt_s).text);
 }
 

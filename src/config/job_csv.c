@@ -34,6 +34,7 @@ typedef struct {
     exk_hole *holes;
     size_t capacity;
     size_t n_holes;
+    bool has_id;              /* of the row being read */
     int lines[EXK_MAX_HOLES]; /* of each hole */
 } csv;
 
@@ -182,6 +183,7 @@ static void read_id(csv *c, const char *cell, exk_hole *hole)
         return;
     }
     hole->id = (int32_t)value;
+    c->has_id = true;
     check_id(c, hole->id);
 }
 
@@ -229,10 +231,11 @@ static void read_hole(csv *c, const char *row)
 {
     exk_hole hole = {.target_m = {0.0, 0.0, c->plane_z_m}, .axis = {0.0, 0.0, 1.0}};
     const size_t n_before = c->faults.n;
+    c->has_id = false;
     if (read_cells(c, row, &hole) && c->faults.n == n_before) {
         set_axis(c, &hole);
     }
-    if (c->faults.n == n_before) {
+    if (c->has_id) { /* a refused row keeps its place: its id counts too */
         c->lines[c->n_holes] = c->line;
         c->holes[c->n_holes++] = hole;
     }
