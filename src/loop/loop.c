@@ -167,6 +167,11 @@ static exk_err forward(const exk_loop *loop, const exk_joints *r, const exk_read
     if (out->has_true && tip(loop, r, out->theta_rad, &out->real) != EXK_OK) {
         out->has_true = false;
     }
+    if (out->has_true && out->m_rad[EXK_ALPHA] == out->theta_rad[EXK_ALPHA] &&
+        out->m_rad[EXK_BETA] == out->theta_rad[EXK_BETA]) {
+        out->est = out->real; /* the same angles give the same bits */
+        return EXK_OK;
+    }
     return tip(loop, r, out->m_rad, &out->est);
 }
 
