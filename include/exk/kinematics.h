@@ -10,7 +10,7 @@
  *          EXK_ERR_LIMIT when a leg or an angle leaves its limit, EXK_ERR_SINGULAR near a
  *          singular pose. Outputs are written only on EXK_OK.
  *  Memory  the caller owns exk_kin; it holds a copy of the geometry and no pointer but its
- *          constant table of operations.
+ *          constant table of operations. A call changes nothing in it: one may serve many threads.
  */
 #ifndef EXK_KINEMATICS_H
 #define EXK_KINEMATICS_H
@@ -65,7 +65,8 @@ exk_err exk_kin_inverse(const exk_kin *kin, const exk_tool *tool, exk_joints *ou
 /** Forward from angles, h and wrist in closed form; checks finiteness and domain, not limits. */
 exk_err exk_kin_forward(const exk_kin *kin, const exk_joints *joints, exk_tool *out);
 
-/** Lengths |A_i B_i| of the joints given; EXK_ERR_LIMIT when one leaves the stroke (machine).
+/** Lengths |A_i B_i| of the joints given. machine: EXK_ERR_LIMIT when a leg leaves the stroke or
+ *  an angle its limit, and the other refusals of tripod.h; the wrist is not looked at.
  *  P and U, whose bars are constant: the distances |A_i B_i| of the drawn level plate, no limit. */
 exk_err exk_kin_legs(const exk_kin *kin, const exk_joints *joints, double legs_m[EXK_N_LEGS]);
 
