@@ -24,17 +24,19 @@ bool exk_plot_kind(const char *path, exk_out_kind *kind)
     return strcasecmp(dot, ".png") == 0;
 }
 
+/* Both kinds come out alike: SVG counts fonts in pixels and draws marks larger. */
 static void set_terminal(FILE *script, exk_out_kind kind, int width, int height)
 {
     if (kind == EXK_OUT_SVG) {
         fprintf(script,
                 "set terminal svg enhanced size %d,%d dynamic background '#ffffff' "
-                "font 'DejaVu Sans,Helvetica,Arial,sans-serif,13'\n",
+                "font 'DejaVu Sans,Helvetica,Arial,sans-serif,10' fontscale 1.333\n"
+                "mark_size = 0.65\n",
                 width, height);
     } else {
         fprintf(script,
                 "set terminal pngcairo enhanced size %d,%d background '#ffffff' "
-                "font 'DejaVu Sans,10'\n",
+                "font 'DejaVu Sans,10'\nmark_size = 1.0\n",
                 width, height);
     }
     fputs("set encoding utf8\n", script);

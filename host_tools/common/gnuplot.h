@@ -1,7 +1,8 @@
 /** Pictures by gnuplot, run as a process of its own: SVG or PNG by the ending of the name.
  *
  *  Script   written by the caller's draw function, data in it as blocks ($name << EOD); the
- *           terminal is set before it runs. The user's own gnuplot settings are not read.
+ *           terminal is set before it runs. The user's own gnuplot settings are not read. Marks
+ *           sized "ps 0.9*mark_size" and fonts in points look alike in SVG and PNG.
  *  Errors   an exit code: 0, 2 (ending, refused file), 3 (gnuplot missing or failed, cannot write);
  *           why says which and what to do. No half picture is left behind.
  */

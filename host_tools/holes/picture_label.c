@@ -1,11 +1,14 @@
 #include "picture_label.h"
 
+#include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "exk/units.h"
 
 static const double ID_GAP_PX = 10.0;
+static const double DIGIT_PX = 6.6;    /* width of a digit of an id */
 static const double ID_COST_MAX = 4.0; /* dearer places cover something: no id there */
 static const double POINT_PX = 9.0;    /* room that a mark takes on each side */
 
@@ -55,7 +58,7 @@ static double circle_cost(const placed *label, picture_point centre, double radi
 static double vector_cost(const hole_report *report, const picture_layout *layout,
                           const placed *label, size_t i)
 {
-    const double margin = POINT_PX * layout->map.mm_per_px;
+    const double margin = POINT_PX * layout->map[0].mm_per_px;
     const picture_point hole = picture_hole(report, i);
     double cost = 0.0;
     if (!picture_has_point(&report->results[i])) {
@@ -79,9 +82,27 @@ static double map_cost(const hole_report *report, const picture_layout *layout,
     double cost = circle_cost(label, hole, circle_mm(report, layout)) +
                   vector_cost(report, layout, label, i);
     if (layout->ids != NULL) {
-        cost += 3.0 * covers(label, layout->ids[i], 9.0 * layout->map.mm_per_px);
+        cost += 3.0 * covers(label, layout->ids[i], 9.0 * layout->map[0].mm_per_px);
     }
     return cost;
+}
+
+/* Half the width of an id on the map, mm. */
+static double id_half_mm(const hole_report *report, const picture_layout *layout, size_t i)
+{
+    const int32_t id = report->log->holes[i].id;
+    const int digits = snprintf(NULL, 0, "%" PRId32, id);
+    return 0.5 * DIGIT_PX * digits * layout->map[0].mm_per_px;
+}
+
+/* Would the ids of holes i, at label, and j, already placed, touch? */
+static bool ids_touch(const hole_report *report, const picture_layout *layout,
+                      const placed *label, picture_point other, size_t j)
+{
+    const double px = layout->map[0].mm_per_px;
+    const double room = label->half_w + id_half_mm(report, layout, j) + 4.0 * px;
+    return fabs(other.x_mm - label->at.x_mm) < room &&
+           fabs(other.y_mm - label->at.y_mm) < 2.0 * label->half_h;
 }
 
 /* What an id would cover: vectors, circles of other holes, ids already placed. */
@@ -94,8 +115,8 @@ static double id_cost(const hole_report *report, const picture_layout *layout,
         if (j != i) {
             cost += circle_cost(label, picture_hole(report, j), circle_mm(report, layout));
         }
-        if (j < i) {
-            cost += 10.0 * covers(label, ids[j], 11.0 * layout->map.mm_per_px);
+        if (j < i && ids_touch(report, layout, label, ids[j], j)) {
+            cost += 10.0;
         }
     }
     return cost;
@@ -107,15 +128,16 @@ static picture_point place_id(const hole_report *report, const picture_layout *l
 {
     const exk_hole_result *r = &report->results[i];
     const picture_point hole = picture_hole(report, i);
-    const double px = layout->map.mm_per_px;
+    const double px = layout->map[0].mm_per_px;
     const double away = circle_mm(report, layout) + ID_GAP_PX * px;
     const double own = picture_has_point(r) ? atan2(r->dy_m, r->dx_m) : -0.5 * EXK_PI;
+    placed label = {hole, id_half_mm(report, layout, i), 6.0 * px};
     picture_point best = {NAN, NAN};
     double best_cost = ID_COST_MAX;
     for (int turn = 0; turn < 16; turn++) {
         const double angle = own + EXK_PI * (1.0 + turn / 8.0);
-        const placed label = {
-            {hole.x_mm + away * cos(angle), hole.y_mm + away * sin(angle)}, 8.0 * px, 6.0 * px};
+        label.at.x_mm = hole.x_mm + away * cos(angle);
+        label.at.y_mm = hole.y_mm + away * sin(angle);
         const double cost =
             0.3 * fmin(turn, 16 - turn) + id_cost(report, layout, ids, &label, i);
         if (cost < best_cost) {
@@ -148,7 +170,9 @@ static double label_cost(const hole_report *report, const picture_layout *layout
                          const placed *label)
 {
     const picture_point middle = {0.0, 0.0};
-    double cost = out_of_view(label, on_map ? &layout->map : &layout->target);
+    const int part = picture_part(report, layout, (size_t)report->accuracy.worst);
+    const picture_view *view = on_map ? &layout->map[part] : &layout->target;
+    double cost = out_of_view(label, view);
     if (!on_map) {
         cost += circle_cost(label, middle, EXK_MM_PER_M * report->tolerance_m);
     }
@@ -183,7 +207,7 @@ picture_label picture_worst_place(const hole_report *report, const picture_layou
                                   bool on_map, double w_px, double h_px)
 {
     enum { RINGS = 12, TURNS = 24 };
-    const double px = on_map ? layout->map.mm_per_px : layout->target.mm_per_px;
+    const double px = on_map ? layout->map[0].mm_per_px : layout->target.mm_per_px;
     const picture_point tip = worst_tip(report, layout, on_map);
     placed label = {tip, 0.5 * w_px * px, 0.5 * h_px * px};
     placed best = label;

@@ -7,6 +7,8 @@
 #include "picture_label.h"
 
 static const picture_box MAP = {78.0, 900.0, 70.0, 690.0};
+static const double GAP_X_PX = 58.0; /* between parts: room for the numbers of the axes */
+static const double GAP_Y_PX = 34.0;
 static const picture_box TARGET = {990.0, 1370.0, 310.0, 690.0};
 enum { MAX_IDS = 400 }; /* of more holes none is readable */
 
@@ -158,23 +160,114 @@ static picture_view fit_target(const hole_report *report)
     return fit(&TARGET, &e);
 }
 
-void picture_layout_make(const hole_report *report, picture_layout *out)
+int picture_part(const hole_report *report, const picture_layout *layout, size_t i)
 {
-    extent e = hole_extent(report);
-    const double alone = span(&e) > 0.0 ? span(&e) : 20.0;
-    const double spacing = spacing_mm(report, alone);
-    out->enlarged = choose_enlarged(report, spacing, alone);
-    const double circle = EXK_MM_PER_M * report->tolerance_m * out->enlarged;
+    const picture_point hole = picture_hole(report, i);
+    const double along = (layout->along_y ? hole.y_mm : hole.x_mm) - layout->cut_mm;
+    const double part = layout->part_mm > 0.0 ? floor(along / layout->part_mm) : 0.0;
+    return (int)fmax(0.0, fmin(part, layout->n_maps - 1));
+}
+
+static picture_box part_box(const picture_layout *layout, int part)
+{
+    const double n = layout->n_maps;
+    const double gap = layout->along_y ? GAP_X_PX : GAP_Y_PX;
+    const double size =
+        ((layout->along_y ? pixels_wide(&MAP) : pixels_high(&MAP)) - (n - 1.0) * gap) / n;
+    picture_box box = MAP;
+    if (layout->along_y) {
+        box.left = MAP.left + part * (size + gap);
+        box.right = box.left + size;
+    } else {
+        box.top = MAP.top - part * (size + gap);
+        box.bottom = box.top - size;
+    }
+    return box;
+}
+
+/* Pixels per mm when the holes, each with room round it, are cut into n parts. */
+static double scale_with(const extent *e, double room, bool along_y, int n)
+{
+    const picture_layout trial = {.n_maps = n, .along_y = along_y};
+    const picture_box box = part_box(&trial, 0);
+    const double w = (e->high.x_mm - e->low.x_mm) / (along_y ? 1 : n) + room;
+    const double h = (e->high.y_mm - e->low.y_mm) / (along_y ? n : 1) + room;
+    return fmin(pixels_wide(&box) / w, pixels_high(&box) / h);
+}
+
+/* More parts only where they make everything a good deal larger. */
+static void choose_parts(const extent *e, double spacing, picture_layout *out)
+{
+    const double w = e->high.x_mm - e->low.x_mm;
+    const double h = e->high.y_mm - e->low.y_mm;
+    double best = 0.0;
+    out->along_y = h > w;
+    for (int n = 1; n <= PICTURE_MAX_MAPS; n++) {
+        const double scale = scale_with(e, 2.0 * spacing, out->along_y, n);
+        if (scale > 1.3 * best) {
+            best = scale;
+            out->n_maps = n;
+        }
+    }
+    out->cut_mm = out->along_y ? e->low.y_mm : e->low.x_mm;
+    out->part_mm = (out->along_y ? h : w) / out->n_maps;
+}
+
+/* What part shows: its own length of the job, its circles and points. */
+static extent part_extent(const hole_report *report, const picture_layout *layout,
+                          const extent *all, int part)
+{
+    const double circle = EXK_MM_PER_M * report->tolerance_m * layout->enlarged;
+    const double begin = layout->cut_mm + part * layout->part_mm;
+    extent e = *all;
+    *(layout->along_y ? &e.low.y_mm : &e.low.x_mm) = begin;
+    *(layout->along_y ? &e.high.y_mm : &e.high.x_mm) = begin + layout->part_mm;
     for (size_t i = 0; i < report->n_holes; i++) {
+        if (picture_part(report, layout, i) != part) {
+            continue;
+        }
         include(&e, picture_hole(report, i), circle);
         if (picture_has_point(&report->results[i])) {
-            include(&e, picture_tip(report, out, i), 0.0);
+            include(&e, picture_tip(report, layout, i), 0.0);
         }
     }
     const double border = 0.05 * span(&e);
     include(&e, e.low, border);
     include(&e, e.high, border);
-    out->map = fit(&MAP, &e);
+    return e;
+}
+
+/* Every part at the scale of the one that needs most room. */
+static void fit_parts(const hole_report *report, const extent *all, picture_layout *out)
+{
+    extent e[PICTURE_MAX_MAPS];
+    picture_point largest = {0.0, 0.0};
+    for (int part = 0; part < out->n_maps; part++) {
+        e[part] = part_extent(report, out, all, part);
+        largest.x_mm = fmax(largest.x_mm, e[part].high.x_mm - e[part].low.x_mm);
+        largest.y_mm = fmax(largest.y_mm, e[part].high.y_mm - e[part].low.y_mm);
+    }
+    for (int part = 0; part < out->n_maps; part++) {
+        const picture_box box = part_box(out, part);
+        const picture_point more = {
+            0.5 * (largest.x_mm - (e[part].high.x_mm - e[part].low.x_mm)),
+            0.5 * (largest.y_mm - (e[part].high.y_mm - e[part].low.y_mm))};
+        e[part].low =
+            (picture_point){e[part].low.x_mm - more.x_mm, e[part].low.y_mm - more.y_mm};
+        e[part].high =
+            (picture_point){e[part].high.x_mm + more.x_mm, e[part].high.y_mm + more.y_mm};
+        out->map[part] = fit(&box, &e[part]);
+    }
+}
+
+void picture_layout_make(const hole_report *report, picture_layout *out)
+{
+    const extent all = hole_extent(report);
+    const double width = span(&all) > 0.0 ? span(&all) : 20.0;
+    const double spacing = spacing_mm(report, width);
+    choose_parts(&all, spacing, out);
+    out->enlarged = choose_enlarged(report, spacing, width / out->n_maps);
+    fit_parts(report, &all, out);
     out->target = fit_target(report);
     out->ids = NULL;
     if (report->n_holes <= MAX_IDS) {

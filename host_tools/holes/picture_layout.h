@@ -34,8 +34,15 @@ typedef struct {
     double mm_per_px;
 } picture_view;
 
+enum { PICTURE_MAX_MAPS = 4 };
+
+/** A long job is cut into parts of one scale: along x they are stacked, along y side by side. */
 typedef struct {
-    picture_view map;
+    picture_view map[PICTURE_MAX_MAPS];
+    int n_maps;
+    bool along_y;
+    double cut_mm;       /* where the first part begins, */
+    double part_mm;      /* and how long each is */
     picture_view target; /* all errors in one circle, not enlarged */
     double enlarged;     /* errors on the map are this many times their size */
     picture_point *ids;  /* centre of each hole's id on the map, NaN: no room; NULL: no ids */
@@ -47,7 +54,10 @@ void picture_layout_free(picture_layout *layout);
 /** Whether a hole has a position that can be drawn. */
 bool picture_has_point(const exk_hole_result *result);
 
-/** Centre and drawn tip of a hole on the map. */
+/** Which map a hole is on. */
+int picture_part(const hole_report *report, const picture_layout *layout, size_t i);
+
+/** Centre and drawn tip of a hole on its map. */
 picture_point picture_hole(const hole_report *report, size_t i);
 picture_point picture_tip(const hole_report *report, const picture_layout *layout, size_t i);
 

@@ -138,3 +138,8 @@ bool hole_report_good(const hole_report *report)
 {
     return report->accuracy.n_inside == report->n_holes && report->n_lost == 0;
 }
+
+double hole_tidy(double x)
+{
+    return fabs(x) < 0.005 ? 0.0 : x;
+}

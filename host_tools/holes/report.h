@@ -47,4 +47,7 @@ void hole_report_free(hole_report *report);
 /** True when every hole of the job is inside and no sample was lost. */
 bool hole_report_good(const hole_report *report);
 
+/** No minus before what prints as 0.00. */
+double hole_tidy(double x);
+
 #endif

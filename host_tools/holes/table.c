@@ -26,8 +26,8 @@ static void print_warning(const hole_report *report, FILE *out, bool colour)
 static void print_head(const hole_report *report, FILE *out, bool colour)
 {
     const exk_run_log *log = report->log;
-    fprintf(out, "Holes of %s: profile %s, run %" PRIu32 ", series %" PRIu32, report->source,
-            log->profile_name, log->run, log->series);
+    fprintf(out, "Holes of %s: profile %s, run %" PRIu32 ", series %" PRIu32 ", seed %" PRIu64,
+            report->source, log->profile_name, log->run, log->series, log->seed);
     fprintf(out,
             "\njudged on the %s tool tip; noise %s; tolerance %g mm; %zu samples, %" PRId64
             " lost\n",
@@ -92,12 +92,15 @@ static void print_errors(const hole_report *report, FILE *out)
     fprintf(out, "  Rayleigh        sigma %.6f mm, which would put %.1f %% inside\n",
             mm(report->sigma_m), 100.0 * report->expected_inside);
     fprintf(out, "  capability      Ppk %.2f (one-sided; 1.33 needs sigma %.6f mm)\n",
-            report->ppk, mm(exk_rayleigh_sigma_for(report->tolerance_m, 1.33)));
-    fprintf(out,
-            "  AP, RP          %.6f mm, %.6f mm (ISO 9283 way, all holes as one pose; mean dx "
-            "%+.6f, dy %+.6f)\n",
-            mm(report->pose.ap), mm(report->pose.rp), mm(report->pose.mean_dx),
-            mm(report->pose.mean_dy));
+            hole_tidy(report->ppk), mm(exk_rayleigh_sigma_for(report->tolerance_m, 1.33)));
+    fprintf(out, "  AP              %.6f mm (mean dx %+.6f, dy %+.6f)\n", mm(report->pose.ap),
+            mm(report->pose.mean_dx), mm(report->pose.mean_dy));
+    if (a->n_drilled > 1) {
+        fprintf(
+            out,
+            "  RP              %.6f mm (AP and RP the ISO 9283 way, all holes as one pose)\n",
+            mm(report->pose.rp));
+    }
     fprintf(out, "  axis tilt       %.4f mrad largest\n", 1e3 * report->max_tilt_rad);
 }
 
