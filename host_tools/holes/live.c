@@ -8,7 +8,6 @@
 #include <time.h>
 
 #include "exk/bus.h"
-#include "exk/profile.h"
 #include "exk/wire.h"
 #include "terminal.h"
 
@@ -44,19 +43,6 @@ static void on_message(void *ctx, const char *channel, const void *data, size_t 
     self->heard_s = now_s();
     if (!exk_run_log_feed(self->log, channel, data, bytes)) {
         self->no_memory = true;
-    }
-}
-
-void hole_live_url(const char *given, char *out, size_t size)
-{
-    const char *environment = getenv("LCM_DEFAULT_URL");
-    if (given != NULL) {
-        snprintf(out, size, "%s", given);
-    } else if (environment != NULL && *environment != '\0') {
-        snprintf(out, size, "%s", environment);
-    } else {
-        const exk_profile profile = exk_profile_default();
-        snprintf(out, size, "%s", profile.telemetry.url);
     }
 }
 

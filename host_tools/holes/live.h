@@ -13,9 +13,6 @@
 
 #include "exk/log.h"
 
-/** The URL that is listened on: the one given, LCM_DEFAULT_URL, or this host only. */
-void hole_live_url(const char *given, char *out, size_t size);
-
 int hole_live_listen(exk_run_log *log, const char *url, double seconds, bool quiet, char *why,
                      size_t why_size);
 

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "bus_url.h"
 #include "exk/log.h"
 #include "files.h"
 #include "gnuplot.h"
@@ -38,7 +39,7 @@ static int listen(exk_run_log *log, const holes_options *opt)
 {
     char why[WHY_MAX] = "";
     char url[EXK_PATH_MAX];
-    hole_live_url(opt->url, url, sizeof url);
+    exk_bus_url(opt->url, url, sizeof url);
     if (!opt->quiet) {
         fprintf(stderr, "exk-holes: listening on %s\n", url);
     }

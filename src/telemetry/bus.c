@@ -1,6 +1,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "exk/bus.h"
 
+#include <errno.h>
 #include <lcm/lcm.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -94,9 +95,13 @@ bool exk_bus_listen(exk_bus *bus, const char *pattern, exk_bus_fn fn, void *ctx,
 int exk_bus_wait(exk_bus *bus, int timeout_ms)
 {
     int n = 0;
+    errno = 0;
     int got = lcm_handle_timeout(bus->lcm, timeout_ms);
     while (got > 0 && ++n < BATCH) {
         got = lcm_handle_timeout(bus->lcm, 0);
+    }
+    if (got < 0 && errno == EINTR) {
+        got = 0;
     }
     return n > 0 ? n : got;
 }

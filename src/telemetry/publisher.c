@@ -1,4 +1,4 @@
-#define _GNU_SOURCE /* processor sets */
+#define _POSIX_C_SOURCE 200809L
 #include <pthread.h>
 #include <sched.h>
 #include <signal.h>
@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
 #include "exk/telemetry.h"
 #include "messages.h"
@@ -102,20 +101,6 @@ static void *publish(void *ctx)
     return NULL;
 }
 
-/* The control thread may be pinned to a processor of its own: this one keeps off it. */
-static void spread(pthread_attr_t *attr)
-{
-    cpu_set_t set;
-    if (sched_getaffinity(0, sizeof set, &set) != 0 || CPU_COUNT(&set) > 1) {
-        return;
-    }
-    const long n = sysconf(_SC_NPROCESSORS_ONLN);
-    for (long i = 0; i < n && i < CPU_SETSIZE; i++) {
-        CPU_SET((size_t)i, &set);
-    }
-    pthread_attr_setaffinity_np(attr, sizeof set, &set);
-}
-
 /* An ordinary thread, whatever its maker is; signals stay with the control thread. */
 static int start_thread(exk_publisher *pub)
 {
@@ -128,7 +113,6 @@ static int start_thread(exk_publisher *pub)
     pthread_attr_setschedpolicy(&attr, SCHED_OTHER);
     pthread_attr_setschedparam(&attr, &ordinary);
     pthread_attr_setstacksize(&attr, STACK_BYTES);
-    spread(&attr);
     sigfillset(&all);
     pthread_sigmask(SIG_BLOCK, &all, &before);
     const int error = pthread_create(&pub->thread, &attr, publish, pub);
