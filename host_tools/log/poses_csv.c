@@ -7,8 +7,9 @@ static const char header[] =
     "ref_x_m,ref_y_m,ref_z_m,ref_nx,ref_ny,ref_nz,"
     "est_x_m,est_y_m,est_z_m,est_nx,est_ny,est_nz,"
     "true_x_m,true_y_m,true_z_m,true_nx,true_ny,true_nz,"
-    "r_alpha_rad,r_beta_rad,m_alpha_rad,m_beta_rad,theta_alpha_rad,theta_beta_rad,"
-    "q_alpha_rad,q_beta_rad,c_alpha_rad,c_beta_rad,u_alpha_rad,u_beta_rad,"
+    "alpha_ref_rad,beta_ref_rad,alpha_measured_rad,beta_measured_rad,"
+    "alpha_true_rad,beta_true_rad,alpha_command_rad,beta_command_rad,"
+    "alpha_feedback_rad,beta_feedback_rad,alpha_learned_rad,beta_learned_rad,"
     "h_m,l1_m,l2_m,l3_m,t4_rad,t5_rad,lateness_ns,step_ns\n";
 
 int poses_csv_open(exk_out *out, const char *path, char *why, size_t why_size)
