@@ -96,6 +96,11 @@ echo '0,0,0.98762341001011111,1.0511898020814319,0.98762341001011111,0,0' >"$wor
 "$kin" inverse --profile "$profile" <<<$'x_m,y_m,z_m,nx,ny,nz\n0,0,1.45,0,0,1' |
     columns 1-7 >"$work/got"
 check 'machine: the model and wrist of a profile' near "$work/got" "$work/want" 1e-14
+for model in pendulum universal; do
+    sed "s/^model *=.*/model = $model/" "$profile" >"$work/$model.ini"
+    check "the model $model of a profile" [ "$("$kin" inverse --profile "$work/$model.ini" \
+        <<<$'x_m,y_m\n0,0' | tail -n 1)" = 0,0,ok ]
+done
 sed 's/^\[machine\]/&\ne_mm = 250/' "$profile" >"$work/longer.ini"
 "$kin" inverse --profile "$work/longer.ini" <<<$'x_m,y_m,z_m,nx,ny,nz\n0,0,1.5,0,0,1' |
     columns 1-7 >"$work/got"
@@ -120,6 +125,27 @@ check 'reference poses: back from the lengths' near "$work/got" "$work/want" 1e-
 "$kin" jacobian --model tripod <"$work/poses.csv" | columns 1-9 >"$work/got"
 columns 28-36 <"$work/poses.csv" >"$work/want"
 check 'reference poses: Jacobian' near "$work/got" "$work/want" 1e-9
+
+# The machine's Jacobian against central differences of its inverse, tool axis held.
+tip='-0.2,0.05,1.40'
+awk -v tip="$tip" 'BEGIN {
+    print "x_m,y_m,z_m,nx,ny,nz"
+    for (j = 1; j <= 3; j++) {
+        for (sign = -1; sign <= 1; sign += 2) {
+            split(tip, q, ","); q[j] += sign * 1e-5
+            printf "%.17g,%.17g,%.17g,0,0,1\n", q[1], q[2], q[3]
+        }
+    }
+}' | "$kin" inverse --model machine | columns 3-5 | awk -F, '
+    { for (i = 1; i <= 3; i++) { l[NR, i] = $i } }
+    END { for (i = 1; i <= 3; i++) {
+              for (j = 1; j <= 3; j++) {
+                  printf "%s%.17g", (i + j > 2 ? "," : ""), (l[2 * j, i] - l[2 * j - 1, i]) / 2e-5
+              } }
+          printf "\n" }' >"$work/want"
+printf 'x_m,y_m,z_m,nx,ny,nz\n%s,0,0,1\n' "$tip" | "$kin" jacobian --model machine |
+    columns 1-9 >"$work/got"
+check 'machine: Jacobian against differences' near "$work/got" "$work/want" 1e-9
 
 # Each model returns to where it came from, both wrists.
 cat >"$work/tools.csv" <<'ROWS'
