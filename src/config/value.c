@@ -88,12 +88,17 @@ static const char *number_fault(const exk_key *key, const char *text, double *va
 static const char *read_number(const exk_key *key, const char *text, void *field)
 {
     double value = 0.0;
+    double value_si = 0.0;
     const char *fault = number_fault(key, text, &value);
-    if (fault == NULL) {
-        exk_number_read(text, key->unit, &value);
-        memcpy(field, &value, sizeof(value));
+    if (fault != NULL) {
+        return fault;
     }
-    return fault;
+    exk_number_read(text, key->unit, &value_si);
+    if (value != 0.0 && value_si == 0.0) {
+        return "too small to tell from 0";
+    }
+    memcpy(field, &value_si, sizeof(value_si));
+    return NULL;
 }
 
 static const char *read_integer(const exk_key *key, const char *text, void *field)
