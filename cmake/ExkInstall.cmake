@@ -41,7 +41,7 @@ if(HELP2MAN AND NOT EXK_SANITIZE AND NOT EXK_COVERAGE AND NOT CMAKE_CROSSCOMPILI
             COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/man
             COMMAND ${HELP2MAN} --no-info --section=1 --manual=exk
                 --include=${about}
-                --output=${page} $<TARGET_FILE:${program}>
+                --output=${page} ${PROJECT_BINARY_DIR}/bin/${program}
             DEPENDS ${program} ${about} VERBATIM)
         list(APPEND pages ${page})
     endforeach()

@@ -19,5 +19,5 @@ endif()
 get_property(programs GLOBAL PROPERTY EXK_PROGRAMS)
 foreach(program ${programs})
     exk_script_test(integration test_options_${program} ${guard}/options.sh
-        ARGS $<TARGET_FILE:${program}> ${PROJECT_VERSION})
+        ARGS ${PROJECT_BINARY_DIR}/bin/${program} ${PROJECT_VERSION})
 endforeach()
