@@ -1,9 +1,9 @@
 #include <stdio.h>
 
 #include "csv_in.h"
+#include "exk/input.h"
 #include "options.h"
 #include "out_file.h"
-#include "profile_file.h"
 
 enum { GOOD = 0, SOME_FAILED = 1, BAD_INPUT = 2, WHY_SIZE = 512 };
 
@@ -27,7 +27,7 @@ static int set_up(kin_options *options, exk_kin *kin)
     static exk_profile profile;
     exk_geometry geo = exk_geometry_default();
     if (options->profile != NULL) {
-        const int rc = exk_profile_file_read(options->profile, &profile);
+        const int rc = exk_input_profile(options->profile, &profile);
         if (rc != GOOD) {
             return rc;
         }

@@ -6,51 +6,30 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "exk/input.h"
 #include "exk/job_csv.h"
 #include "exk/store.h"
 #include "exk/units.h"
-#include "rig_input.h"
 
 enum { EXIT_INPUT = 2, EXIT_IO = 3 };
-
-static void name_from_path(const char *path, char name[EXK_NAME_MAX])
-{
-    const char *slash = strrchr(path, '/');
-    const char *base = slash == NULL ? path : slash + 1;
-    const char *dot = strrchr(base, '.');
-    const int length = dot == NULL || dot == base ? (int)strlen(base) : (int)(dot - base);
-    snprintf(name, EXK_NAME_MAX, "%.*s", length, base);
-}
-
-static int parse_profile(exk_rig *rig, const char *path, const char *text)
-{
-    exk_fault faults[RIG_FAULTS_MAX];
-    size_t n_faults = 0;
-    rig->profile = exk_profile_default();
-    if (exk_profile_parse(text, &rig->profile, faults, RIG_FAULTS_MAX, &n_faults) != EXK_OK) {
-        rig_print_faults(path, faults, n_faults);
-        return EXIT_INPUT;
-    }
-    name_from_path(path, rig->profile.name);
-    return 0;
-}
 
 static int csv_holes(exk_rig *rig, const char *profile_path)
 {
     char path[2 * EXK_PATH_MAX];
-    exk_fault faults[RIG_FAULTS_MAX];
+    exk_fault faults[EXK_FAULTS_MAX];
     size_t n_faults = 0;
-    rig_path_beside(profile_path, rig->profile.job.file, path, sizeof path);
-    char *text = rig_read_text(path);
-    if (text == NULL) {
-        return EXIT_IO;
+    exk_input_beside(profile_path, rig->profile.job.file, path, sizeof path);
+    char *text = NULL;
+    const int code = exk_input_read(path, &text);
+    if (code != 0) {
+        return code;
     }
     const exk_err err =
         exk_job_csv_parse(text, rig->profile.job.pattern.center_m[EXK_Z], rig->holes,
-                          EXK_MAX_HOLES, &rig->n_holes, faults, RIG_FAULTS_MAX, &n_faults);
+                          EXK_MAX_HOLES, &rig->n_holes, faults, EXK_FAULTS_MAX, &n_faults);
     free(text);
     if (err != EXK_OK) {
-        rig_print_faults(path, faults, n_faults);
+        exk_input_print(path, faults, n_faults);
         return EXIT_INPUT;
     }
     if (rig->profile.job.order == EXK_ORDER_SERPENTINE) {
@@ -121,7 +100,7 @@ static int check_reach(const exk_rig *rig, const char *path)
         const exk_err err = exk_kin_inverse(&rig->kin, &ref.tool, &joints);
         if (err != EXK_OK && ref.hole != named) {
             named = ref.hole;
-            if (n_named++ < RIG_FAULTS_MAX) {
+            if (n_named++ < EXK_FAULTS_MAX) {
                 name_unreachable(rig, path, k, err);
             }
         }
@@ -151,7 +130,7 @@ static int open_replay(exk_rig *rig, const char *profile_path)
     if (rig->profile.timing.from != EXK_FROM_REPLAY) {
         return 0;
     }
-    rig_path_beside(profile_path, rig->profile.timing.replay_file, path, sizeof path);
+    exk_input_beside(profile_path, rig->profile.timing.replay_file, path, sizeof path);
     if (!exk_replay_open(&rig->replay, path, why, sizeof why)) {
         fprintf(stderr, "%s\n", why);
         return EXIT_INPUT;
@@ -188,9 +167,7 @@ int exk_rig_open(exk_rig *rig, const char *profile_path)
         fprintf(stderr, "%s: out of memory\n", profile_path);
         return EXIT_IO;
     }
-    char *text = rig_read_text(profile_path);
-    int code = text == NULL ? EXIT_IO : parse_profile(rig, profile_path, text);
-    free(text);
+    int code = exk_input_profile(profile_path, &rig->profile);
     code = code != 0 ? code : build(rig, profile_path, make_holes);
     if (code != 0) {
         exk_rig_close(rig);
@@ -214,7 +191,7 @@ int exk_rig_open_text(exk_rig *rig, const char *name, const char *text, const ex
     }
     memcpy(rig->holes, holes, n_holes * sizeof *holes);
     rig->n_holes = n_holes;
-    int code = parse_profile(rig, name, text);
+    int code = exk_input_parse(name, text, &rig->profile);
     code = code != 0 ? code : build(rig, name, holes_given);
     if (code != 0) {
         exk_rig_close(rig);
