@@ -83,7 +83,7 @@ static void white_noise_has_the_moments_of_a_normal(void)
 }
 
 /* Pearson's chi squared over 64 cells of equal probability by the C library's erfc, 63 degrees of
- * freedom: mean 63, standard deviation 11.2. */
+ * freedom: mean 63, standard deviation 11.2; five of them, for its upper tail is long. */
 static void white_noise_fills_the_cells_of_a_normal_evenly(void)
 {
     enum { N_CELLS = 64 };
@@ -99,7 +99,7 @@ static void white_noise_fills_the_cells_of_a_normal_evenly(void)
     for (int i = 0; i < N_CELLS; i++) {
         chi2 += (count[i] - want) * (count[i] - want) / want;
     }
-    TEST_ASSERT_DOUBLE_WITHIN(45.0, 63.0, chi2);
+    TEST_ASSERT_DOUBLE_WITHIN(56.0, 63.0, chi2);
 }
 
 /* Every pair of records that must not know each other; correlation 0 +- 0.0032. */
