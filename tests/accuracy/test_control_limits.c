@@ -44,12 +44,11 @@ static double draw(const world *w, uint8_t source, uint32_t run, int k)
 }
 
 /* One run: y for the learner; returns the RMS of the true error. */
-static double run_once(const world *w, uint32_t p, const double *u, double *y)
+static double run_once(const world *w, uint32_t p, const double *d, const double *u, double *y)
 {
     double sum = 0.0;
     for (int k = 0; k < N; k++) {
-        const double d = w->sigma_d > 0.0 ? w->sigma_d * draw(w, 0, 0, k) : 0.0;
-        const double e = d + w->sigma_w * draw(w, 1, p, k) - u[k];
+        const double e = d[k] + w->sigma_w * draw(w, 1, p, k) - u[k];
         y[k] = e + (w->sigma_v > 0.0 ? w->sigma_v * draw(w, 2, p, k) : 0.0);
         sum += e * e;
     }
@@ -61,13 +60,17 @@ typedef double (*gain_fn)(const world *w, double k_fixed, int p);
 /* rms[p]: true RMS after p updates, the gain of update p + 1 being gain(p). */
 static void learn_runs(const world *w, gain_fn gain, double k_fixed, int n_updates, double *rms)
 {
+    static double d[N];
     static double u[N];
     static double next[N];
     static double y[N];
     static const double none[N];
     memset(u, 0, sizeof u);
+    for (int k = 0; k < N; k++) {
+        d[k] = w->sigma_d * draw(w, 0, 0, k);
+    }
     for (int p = 0; p <= n_updates; p++) {
-        rms[p] = run_once(w, (uint32_t)p + 1, u, y);
+        rms[p] = run_once(w, (uint32_t)p + 1, d, u, y);
         exk_ilc_config cfg = exk_ilc_default();
         cfg.gain = gain(w, k_fixed, p);
         cfg.u_max_rad = 1e9;
@@ -108,9 +111,9 @@ static void a_fixed_gain_ends_above_the_floor(void)
         double gain, sigma_v, printed;
         int n_updates;
     } rows[] = {
-        {"K = 0.5", 0.5, 0.0, 1.155, 20},          {"K = 1", 1.0, 0.0, 1.414, 2},
-        {"K = 1, rho = 1", 1.0, 1.0, 1.732, 2},    {"K = 1.3", 1.3, 0.0, 1.69, 12},
-        {"K = 0.5, rho = 1/4", 0.5, 0.5, 0.0, 20},
+        {"K = 0.5", 0.5, 0.0, 1.155, 10},          {"K = 1", 1.0, 0.0, 1.414, 2},
+        {"K = 1, rho = 1", 1.0, 1.0, 1.732, 2},    {"K = 1.3", 1.3, 0.0, 1.69, 6},
+        {"K = 0.5, rho = 1/4", 0.5, 0.5, 0.0, 10},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         const world w = {5.0, 1.0, rows[i].sigma_v, 80 + i};
@@ -156,21 +159,20 @@ static void averaging_approaches_the_floor_as_one_over_p(void)
     }
 }
 
-/* s_w^2 + P0 R/(p P0 + R), below averaging from the first update on (for the largest
- * d the two are too near to tell apart). */
+/* s_w^2 + P0 R/(p P0 + R), below averaging from the first update on. */
 static void the_kalman_gain_is_the_best_from_the_first_update(void)
 {
-    static const double sigma_d[] = {0.5, 1.0, 3.0};
-    for (int i = 0; i < 3; i++) {
+    static const double sigma_d[] = {0.5, 1.0};
+    for (int i = 0; i < 2; i++) {
         const world w = {sigma_d[i], 1.0, 0.5, 110 + (uint64_t)i};
         const double p0 = sigma_d[i] * sigma_d[i];
         double rms[N_RUNS_MAX];
         double averaged[N_RUNS_MAX];
-        learn_runs(&w, kalman_gain, 0.0, 12, rms);
-        learn_runs(&w, averaging_gain, 0.0, 12, averaged);
-        for (int p = 0; p <= 12; p++) {
+        learn_runs(&w, kalman_gain, 0.0, 8, rms);
+        learn_runs(&w, averaging_gain, 0.0, 8, averaged);
+        for (int p = 0; p <= 8; p++) {
             check_ratio(sqrt(1.0 + p0 * 1.25 / (p * p0 + 1.25)), rms[p], "Kalman");
-            TEST_ASSERT_TRUE(p == 0 || i == 2 || rms[p] < averaged[p]);
+            TEST_ASSERT_TRUE(p == 0 || rms[p] < averaged[p]);
         }
     }
 }
@@ -288,7 +290,7 @@ static void other_gains_miss_the_floor_of_a_random_walk(void)
 
 /* --- random walk, the end of a run over many series ------------------------------------------- */
 
-enum { N_SERIES = 10000, N_END = 64 };
+enum { N_SERIES = 10000, N_END = 16 };
 
 static double end_of_walk(uint64_t seed, uint32_t series, uint32_t run, int axis)
 {
@@ -329,7 +331,7 @@ static void a_fresh_walk_is_won_by_feedback_and_lost_by_learning(void)
     }
     const double count = (double)N_SERIES * EXK_N_AXES;
     const plant walk = {1, 1.0, 0.0};
-    check_ratio(8.0, sqrt(open / count) / closed_loop_rms(&walk, 0.0, 1.0, 151), "sqrt(N)");
+    check_ratio(4.0, sqrt(open / count) / closed_loop_rms(&walk, 0.0, 1.0, 151), "sqrt(N)");
     check_ratio(sqrt(2.0), sqrt(learned / open), "learning against no control");
 }
 

@@ -222,8 +222,8 @@ static double correlation_of_runs(int order, bool frozen)
         exk_disturbance b = start(order, 1.0, 0.1, (exk_realisation){50, series, 2}, frozen);
         double na[EXK_N_AXES];
         double nb[EXK_N_AXES];
-        read_at(&a, 10, na);
-        read_at(&b, 10, nb);
+        read_at(&a, 3, na);
+        read_at(&b, 3, nb);
         push(&p, na[EXK_ALPHA], nb[EXK_ALPHA]);
         push(&p, na[EXK_BETA], nb[EXK_BETA]);
     }
