@@ -26,8 +26,9 @@ start_group() {
 }
 
 stop_group() {
-    kill -TERM -- "-$1" 2>/dev/null && wait "$1" 2>/dev/null
-    return 0
+    if kill -TERM -- "-$1" 2>/dev/null; then
+        wait "$1" 2>/dev/null || true
+    fi
 }
 
 clean_up() {
