@@ -119,6 +119,9 @@ int hole_live_listen(exk_run_log *log, const char *url, double seconds, bool qui
         exk_bus_close(bus);
         return 3;
     }
+    if (!quiet) {
+        fprintf(stderr, "exk-holes: listening on %s\n", url);
+    }
     catch_signals();
     follow(bus, &self, seconds, !quiet && exk_is_terminal(stderr));
     exk_bus_close(bus);

@@ -40,9 +40,6 @@ static int listen(exk_run_log *log, const holes_options *opt)
     char why[WHY_MAX] = "";
     char url[EXK_PATH_MAX];
     exk_bus_url(opt->url, url, sizeof url);
-    if (!opt->quiet) {
-        fprintf(stderr, "exk-holes: listening on %s\n", url);
-    }
     const int code = hole_live_listen(log, url, opt->seconds, opt->quiet, why, sizeof why);
     return code == 0 ? 0 : complain(code, why);
 }

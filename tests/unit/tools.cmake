@@ -6,3 +6,5 @@ if(TARGET exk_tools)
 endif()
 exk_test(unit test_hole_report SOURCES ${CMAKE_CURRENT_LIST_DIR}/test_hole_report.c
     NEEDS exk_holes_parts)
+exk_test(unit test_hole_picture SOURCES ${CMAKE_CURRENT_LIST_DIR}/test_hole_picture.c
+    NEEDS exk_holes_parts)
