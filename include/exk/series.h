@@ -3,6 +3,7 @@
  *  Law      u_{p+1} = Q(u_p + K (e_p + c_p)), exk_ilc_learn for each angle (architecture.md section 2).
  *           Run 1 is untrained; after n runs and n updates u holds u_{n+1}.
  *  Judged   on the true tip where the source knows it, else on the estimated one.
+ *  Samples  on_sample, when set after open, sees every step of a run in order.
  *  Errors   run: the loop's code (the series is then at the tick of the fault); learn: as
  *           exk_ilc_learn, u keeps its old values then.
  *  Memory   open allocates one block for each array, exk_series_close releases. Outside the core.
@@ -12,6 +13,8 @@
 
 #include "exk/accuracy.h"
 #include "exk/rig.h"
+
+typedef void (*exk_sample_fn)(void *ctx, const exk_sample *sample);
 
 typedef struct {
     exk_rig *rig;
@@ -23,10 +26,15 @@ typedef struct {
     exk_hole_result *results; /* of the last run, one a hole */
     int64_t n_bad;            /* rejected sensor samples of the last run */
     double *block;
+    exk_sample_fn on_sample; /* NULL: nobody looks */
+    void *sample_ctx;
 } exk_series;
 
 bool exk_series_open(exk_series *series, exk_rig *rig);
 void exk_series_close(exk_series *series);
+
+/** Back to u_1 = 0, for the next series on the same rig. */
+void exk_series_reset(exk_series *series);
 
 /** One whole run with the present u; fills e, c and results. */
 exk_err exk_series_run(exk_series *series, exk_realisation which, exk_accuracy *out);

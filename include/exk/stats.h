@@ -7,6 +7,9 @@
  *  Rayleigh  radial error of two normal axes of one sigma and no offset:
  *            P(r <= T) = 1 - exp(-T^2 / 2 s^2), mean = s sqrt(pi/2), median = s sqrt(2 ln 2).
  *            Fit: s = sqrt(mean r^2 / 2).
+ *  Rician    radial error about a fixed offset v, same sigma s on both axes; v = 0 is Rayleigh.
+ *            Fit from the moments of r^2: mean A = v^2 + 2 s^2, variance V = 4 s^2 (A - s^2), so
+ *            s^2 = (A - sqrt(A^2 - V))/2; mean by Bessel functions, P(r <= T) by quadrature.
  *  Ppk       one-sided by quantiles, for an error that is not normal:
  *            (T - median) / (x_99.865 - median), x_p the Rayleigh quantile.
  *  AP, RP    after ISO 9283: AP is the distance of the mean point from the command, RP the mean
@@ -58,6 +61,20 @@ double exk_rayleigh_inside(double limit, double sigma);      /* P(r <= limit) */
 double exk_rayleigh_quantile(double p, double sigma);        /* 0 <= p < 1 */
 double exk_rayleigh_ppk(double tolerance, double sigma);     /* infinite for sigma 0 */
 double exk_rayleigh_sigma_for(double tolerance, double ppk); /* largest sigma that reaches it */
+
+typedef struct {
+    double offset;
+    double sigma;
+} exk_rician;
+
+/** From mean and variance of the squared radial error; more scatter than Rayleigh's gives offset 0. */
+exk_rician exk_rician_fit(double mean_r2, double var_r2);
+double exk_rician_mean(exk_rician r); /* offset <= 30 sigma */
+double exk_rician_inside(double limit, exk_rician r);
+
+/** The one with this mean and this share inside limit; NaN when there is none, or only with an
+ *  offset beyond 30 sigma. limit > mean. */
+exk_rician exk_rician_of_mean_and_inside(double mean, double limit, double share);
 
 /** Diameter of the zone round the true position that the hole's axis lies in: 2 r. */
 double exk_true_position(double radial);

@@ -1,6 +1,7 @@
 #include "exk/series.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { ARRAYS = 4 };
 
@@ -28,6 +29,13 @@ void exk_series_close(exk_series *series)
     free(series->block);
     free(series->results);
     *series = (exk_series){.n = 0};
+}
+
+void exk_series_reset(exk_series *series)
+{
+    for (int i = 0; i < EXK_N_AXES; i++) {
+        memset(series->u_rad[i], 0, series->n * sizeof *series->u_rad[i]);
+    }
 }
 
 static void keep(exk_series *series, exk_judge *judge, const exk_sample *sample)
@@ -58,6 +66,9 @@ exk_err exk_series_run(exk_series *series, exk_realisation which, exk_accuracy *
         exk_sample sample;
         err = exk_loop_step(&rig->loop, k, &sample);
         keep(series, &judge, &sample);
+        if (series->on_sample != NULL) {
+            series->on_sample(series->sample_ctx, &sample);
+        }
     }
     series->n_bad = rig->loop.n_bad;
     if (err == EXK_OK) {

@@ -1,0 +1,49 @@
+/** The commands of exk-study behind its options. */
+#ifndef STUDY_TOOL_H
+#define STUDY_TOOL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "work.h"
+
+typedef enum {
+    STUDY_PAPER,
+    STUDY_COMPARE,
+    STUDY_CALIBRATE,
+    STUDY_SENSITIVITY,
+    STUDY_BLOCK,
+    STUDY_MERGE
+} study_command;
+
+typedef struct {
+    study_command command;
+    uint64_t n_seeds; /* 0: the command's own default */
+    int n_threads;
+    const char *profiles; /* folder, NULL: found */
+    const char *json;
+    const char *csv;
+    const char *report;
+    const char *resume;
+    const char *output; /* block */
+    uint64_t from;
+    uint64_t to;
+    bool write; /* calibrate: into the profiles */
+    char **parts;
+    size_t n_parts;
+} study_options;
+
+void study_options_parse(int argc, char **argv, study_options *out);
+
+int study_do_paper(const study_options *options);
+int study_do_block(const study_options *options);
+int study_do_merge(const study_options *options);
+int study_do_compare(const study_options *options);
+int study_do_calibrate(const study_options *options);
+int study_do_sensitivity(const study_options *options);
+
+/** Threads and folders of a run from the options; n_seeds trials. */
+study_work study_work_of(const study_options *options, uint64_t n_seeds);
+
+#endif
