@@ -171,24 +171,34 @@ static int finish(recorder *self, record_result *out, char *why, size_t why_size
 }
 
 /* Listening first: when the part is there, nothing is missed any more. */
+static bool open_both(recorder *self, exk_bus **bus, char *why, size_t why_size)
+{
+    *bus = exk_bus_open(self->request->url, true, why, why_size);
+    if (*bus == NULL) {
+        return false;
+    }
+    if (exk_bus_listen(*bus, EXK_CHANNEL_ALL, on_message, self, why, why_size)) {
+        self->writer = exk_event_writer_create(self->request->path, why, why_size);
+    }
+    if (self->writer == NULL) {
+        exk_bus_close(*bus);
+    }
+    return self->writer != NULL;
+}
+
 int record_bus(exk_run_log *log, const record_request *request, record_result *out, char *why,
                size_t why_size)
 {
     recorder self = {.request = request, .log = log};
+    exk_bus *bus = NULL;
     *out = (record_result){.end = RECORD_STOPPED};
-    exk_bus *bus = exk_bus_open(request->url, true, why, why_size);
-    if (bus == NULL) {
+    if (!exk_event_path_allowed(request->path, why, why_size)) {
+        return 2;
+    }
+    if (!open_both(&self, &bus, why, why_size)) {
         return 3;
     }
     catch_signals();
-    if (exk_event_path_allowed(request->path, why, why_size) &&
-        exk_bus_listen(bus, EXK_CHANNEL_ALL, on_message, &self, why, why_size)) {
-        self.writer = exk_event_writer_create(request->path, why, why_size);
-    }
-    if (self.writer == NULL) {
-        exk_bus_close(bus);
-        return 3;
-    }
     follow(&self, bus, out);
     exk_bus_close(bus);
     return finish(&self, out, why, why_size);

@@ -2,7 +2,7 @@
  *
  *  End      Ctrl-C or SIGTERM, the time given, or the run's last status (until_done; a second after
  *           DONE or FAULT when that one is lost; after five silent seconds when the run died).
- *  Errors   an exit code: 0, or 3 with why: no bus, refused or full disk.
+ *  Errors   an exit code: 0, or with why 2 (a path that is refused), 3 (no bus, a full disk).
  */
 #ifndef EXK_LOG_RECORD_H
 #define EXK_LOG_RECORD_H

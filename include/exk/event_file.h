@@ -22,7 +22,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/** True when a log may be written there: nothing is, or an empty file, or an LCM log. */
+/** True when a log may be written there: nothing is, or an empty file, or an LCM log; and the same of
+ *  its part. */
 bool exk_event_path_allowed(const char *path, char *why, size_t why_size);
 
 typedef struct exk_event_writer exk_event_writer;

@@ -36,7 +36,7 @@ static bool begins_like_a_log(const char *path)
     return n == sizeof first && exk_wire_int_at(first, 0) == (int32_t)0xEDA1DA01;
 }
 
-bool exk_event_path_allowed(const char *path, char *why, size_t why_size)
+static bool may_replace(const char *path, char *why, size_t why_size)
 {
     struct stat info;
     if (stat(path, &info) != 0 && errno == ENOENT) {
@@ -52,17 +52,31 @@ bool exk_event_path_allowed(const char *path, char *why, size_t why_size)
     return false;
 }
 
-static bool name(exk_event_writer *writer, const char *path, char *why, size_t why_size)
+static bool part_of(const char *path, char part[NAME_MAX_BYTES], char *why, size_t why_size)
 {
-    const int n = snprintf(writer->part, sizeof writer->part, "%s.part", path);
-    if (n < 0 || (size_t)n >= sizeof writer->part) {
+    const int n = snprintf(part, NAME_MAX_BYTES, "%s.part", path);
+    if (n < 0 || n >= NAME_MAX_BYTES) {
         snprintf(why, why_size, "%.60s...: more than %d characters: use a shorter name", path,
                  NAME_MAX_BYTES - 6);
         return false;
     }
+    return true;
+}
+
+bool exk_event_path_allowed(const char *path, char *why, size_t why_size)
+{
+    char part[NAME_MAX_BYTES];
+    return part_of(path, part, why, why_size) && may_replace(path, why, why_size) &&
+           may_replace(part, why, why_size);
+}
+
+static bool name(exk_event_writer *writer, const char *path, char *why, size_t why_size)
+{
+    if (!exk_event_path_allowed(path, why, why_size)) {
+        return false;
+    }
     snprintf(writer->path, sizeof writer->path, "%s", path);
-    return exk_event_path_allowed(writer->path, why, why_size) &&
-           exk_event_path_allowed(writer->part, why, why_size);
+    return part_of(path, writer->part, why, why_size);
 }
 
 static void discard(exk_event_writer *writer)
