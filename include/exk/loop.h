@@ -19,16 +19,7 @@
 #include "exk/kinematics.h"
 #include "exk/plan.h"
 #include "exk/source.h"
-
-typedef enum {
-    EXK_STATE_INIT,
-    EXK_STATE_IDLE,
-    EXK_STATE_RUN,
-    EXK_STATE_HOLD,
-    EXK_STATE_FAULT,
-    EXK_STATE_DONE,
-    EXK_STATE_COUNT
-} exk_state;
+#include "exk/state.h"
 
 typedef struct {
     const exk_kin *kin;
@@ -84,7 +75,5 @@ exk_err exk_loop_step(exk_loop *loop, int64_t k, exk_sample *out);
 
 /** Puts the loop into EXK_STATE_FAULT from outside (missed deadlines); the first fault stays. */
 void exk_loop_fail(exk_loop *loop, exk_err why);
-
-const char *exk_state_name(exk_state state); /* never NULL */
 
 #endif

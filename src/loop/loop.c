@@ -4,16 +4,6 @@
 
 #include "exk/ilc.h"
 
-static const char *const names[EXK_STATE_COUNT] = {
-    [EXK_STATE_INIT] = "init", [EXK_STATE_IDLE] = "idle",   [EXK_STATE_RUN] = "run",
-    [EXK_STATE_HOLD] = "hold", [EXK_STATE_FAULT] = "fault", [EXK_STATE_DONE] = "done",
-};
-
-const char *exk_state_name(exk_state state)
-{
-    return (unsigned)state < EXK_STATE_COUNT ? names[state] : "unknown";
-}
-
 static exk_err check(const exk_loop_config *cfg)
 {
     if (cfg->kin == NULL || cfg->plan == NULL || cfg->source.exchange == NULL) {
