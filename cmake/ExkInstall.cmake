@@ -24,6 +24,7 @@ list(REVERSE rooms)
 list(TRANSFORM rooms PREPEND "-l")
 list(JOIN rooms " " EXK_PC_LIBS)
 file(RELATIVE_PATH EXK_PC_UP /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" EXK_PC_UP ${EXK_PC_UP})
 configure_file(${CMAKE_CURRENT_LIST_DIR}/exk.pc.in exk.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/exk.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
@@ -37,9 +38,12 @@ if(HELP2MAN AND NOT EXK_SANITIZE AND NOT EXK_COVERAGE AND NOT CMAKE_CROSSCOMPILI
     foreach(program ${programs})
         set(page ${PROJECT_BINARY_DIR}/man/${program}.1)
         set(about ${CMAKE_CURRENT_LIST_DIR}/man/${program}.h2m)
+        if(NOT EXISTS ${about})
+            message(FATAL_ERROR "exk: ${program} has no ${about}: two lines, [name] and what it does")
+        endif()
         add_custom_command(OUTPUT ${page}
             COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/man
-            COMMAND ${HELP2MAN} --no-info --section=1 --manual=exk
+            COMMAND ${CMAKE_COMMAND} -E env ARGP_HELP_FMT=rmargin=200 ${HELP2MAN} --no-info --section=1 --manual=exk
                 --include=${about}
                 --output=${page} ${PROJECT_BINARY_DIR}/bin/${program}
             DEPENDS ${program} ${about} VERBATIM)
