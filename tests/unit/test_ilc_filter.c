@@ -116,6 +116,48 @@ static void the_limit_is_applied_after_the_filter(void)
     TEST_ASSERT_TRUE(out[0] == 1.0 && out[N - 1] == -1.0);
 }
 
+/* The same filter in its textbook form, y = b0 x + b1 x1 + b2 x2 - a1 y1 - a2 y2, with all four
+ * memories on the first sample: every sample, the edges too. */
+static void textbook(double cutoff_Hz, double *x, int from, int to)
+{
+    const double g = tan(EXK_PI * cutoff_Hz * 1e-3);
+    const double a0 = 1.0 + sqrt(2.0) * g + g * g;
+    const double b = g * g / a0;
+    const double a1 = 2.0 * (g * g - 1.0) / a0;
+    const double a2 = (1.0 - sqrt(2.0) * g + g * g) / a0;
+    const int step = from < to ? 1 : -1;
+    double x1 = x[from];
+    double x2 = x1;
+    double y1 = x1;
+    double y2 = x1;
+    for (int k = from; k != to + step; k += step) {
+        const double y = b * (x[k] + 2.0 * x1 + x2) - a1 * y1 - a2 * y2;
+        x2 = x1;
+        x1 = x[k];
+        y2 = y1;
+        y1 = y;
+        x[k] = y;
+    }
+}
+
+static void every_sample_is_that_of_the_textbook_form(void)
+{
+    static const double cutoffs_Hz[] = {5.0, 40.0, 200.0};
+    static double want[N];
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < N; k++) {
+            u[k] = sin(0.001 * k * k) + 0.001 * k;
+            want[k] = u[k];
+        }
+        textbook(cutoffs_Hz[i], want, 0, N - 1);
+        textbook(cutoffs_Hz[i], want, N - 1, 0);
+        filter(cutoffs_Hz[i], 10.0);
+        for (int k = 0; k < N; k++) {
+            TEST_ASSERT_DOUBLE_WITHIN(1e-11, want[k], out[k]);
+        }
+    }
+}
+
 static void one_sample_is_its_own_constant(void)
 {
     const double one[1] = {0.25};
@@ -133,6 +175,7 @@ int main(void)
     RUN_TEST(the_gain_at_the_cutoff_is_one_half);
     RUN_TEST(an_impulse_answers_evenly_and_keeps_its_area);
     RUN_TEST(the_limit_is_applied_after_the_filter);
+    RUN_TEST(every_sample_is_that_of_the_textbook_form);
     RUN_TEST(one_sample_is_its_own_constant);
     return UNITY_END();
 }

@@ -213,8 +213,10 @@ static void preset_is_bumpless(void)
         {-7.0, 1.0, -0.875},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        exk_pid pid = start((exk_pid_config){0.25, 0.125, 0.0625, 0.0, 1.0, 1.0});
+        exk_pid pid = start((exk_pid_config){0.25, 0.125, 0.0625, 2.0, 1.0, 1.0});
         (void)exk_pid_step(&pid, 3.0);
+        (void)exk_pid_step(&pid, -3.0);
+        TEST_ASSERT_TRUE(pid.derivative_rad != 0.0);
         exk_pid_preset(&pid, rows[i].output, rows[i].error);
         TEST_ASSERT_EQUAL_DOUBLE(fmax(-1.0, fmin(1.0, rows[i].output)), pid.output_rad);
         TEST_ASSERT_EQUAL_DOUBLE(rows[i].want, exk_pid_step(&pid, rows[i].error));

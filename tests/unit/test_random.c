@@ -58,8 +58,7 @@ static void a_normal_is_the_quantile_of_its_words(void)
         exk_normal_pair(&known[i].stream, known[i].k, z);
         const double first = exk_normal_quantile(uniform_of(w[0], w[1]));
         const double second = exk_normal_quantile(uniform_of(w[2], w[3]));
-        TEST_ASSERT_EQUAL_DOUBLE(first, z[0]);
-        TEST_ASSERT_EQUAL_DOUBLE(second, z[1]);
+        TEST_ASSERT_TRUE(z[0] == first && z[1] == second);
         TEST_ASSERT_TRUE(z[0] == exk_normal(&known[i].stream, known[i].k));
     }
 }
