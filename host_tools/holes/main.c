@@ -113,8 +113,8 @@ static int write_plots(const hole_report *report, const holes_options *opt)
 {
     char why[WHY_MAX];
     int code = 0;
-    for (size_t i = 0; i < opt->n_plots; i++) {
-        const int one = hole_picture_write(report, opt->plots[i], why, sizeof why);
+    for (size_t i = 0; i < opt->plots.n; i++) {
+        const int one = hole_picture_write(report, opt->plots.path[i], why, sizeof why);
         code = worse(code, one == 0 ? 0 : complain(one, why));
     }
     return code;

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "exk/args.h"
 #include "exk/units.h"
 #include "exk/version.h"
 #include "gnuplot.h"
@@ -56,35 +57,6 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static double positive(struct argp_state *state, const char *what, const char *arg,
-                       const char *unit)
-{
-    char *end = NULL;
-    errno = 0;
-    const double value = strtod(arg, &end);
-    if (errno != 0 || end == arg || *end != '\0' || !(value > 0.0 && isfinite(value))) {
-        argp_error(state, "--%s %s: a number of %s above 0 is allowed", what, arg, unit);
-    }
-    return value;
-}
-
-static void add_plot(struct argp_state *state, holes_options *out, const char *arg)
-{
-    exk_out_kind kind;
-    if (!exk_plot_kind(arg, &kind)) {
-        argp_error(state, "--plot %s: a picture ends in .svg or .png", arg);
-    }
-    if (out->n_plots == HOLES_MAX_PLOTS) {
-        argp_error(state, "--plot %s: at most %d pictures in one call", arg, HOLES_MAX_PLOTS);
-    }
-    out->plots[out->n_plots++] = arg;
-}
-
-static bool is_stdout(const char *path)
-{
-    return path != NULL && strcmp(path, "-") == 0;
-}
-
 static void check(struct argp_state *state, const holes_options *out)
 {
     if (!out->live && out->log_path == NULL) {
@@ -97,10 +69,7 @@ static void check(struct argp_state *state, const holes_options *out)
     if (!out->live && (out->url != NULL || out->seconds > 0.0)) {
         argp_error(state, "--url and --seconds go with --live");
     }
-    if (is_stdout(out->json_path) && is_stdout(out->csv_path)) {
-        argp_error(state, "--json and --csv - both want standard output: give one a file, "
-                          "--json=FILE or --csv FILE");
-    }
+    exk_refuse_two_on_stdout(state, out->json_path, out->csv_path);
 }
 
 static error_t parse_output(int key, char *arg, struct argp_state *state, holes_options *out)
@@ -113,7 +82,7 @@ static error_t parse_output(int key, char *arg, struct argp_state *state, holes_
         out->csv_path = arg;
         return 0;
     case KEY_PLOT:
-        add_plot(state, out, arg);
+        exk_plot_list_add(&out->plots, state, arg);
         return 0;
     case KEY_REPORT:
         out->report_only = true;
@@ -136,10 +105,11 @@ static error_t parse_input(int key, char *arg, struct argp_state *state, holes_o
         out->url = arg;
         return 0;
     case KEY_SECONDS:
-        out->seconds = positive(state, "seconds", arg, "seconds");
+        out->seconds = exk_args_positive(state, "--seconds", arg, "seconds");
         return 0;
     case KEY_TOLERANCE:
-        out->tolerance_m = EXK_M_PER_MM * positive(state, "tolerance", arg, "millimetres");
+        out->tolerance_m =
+            EXK_M_PER_MM * exk_args_positive(state, "--tolerance", arg, "millimetres");
         return 0;
     default:
         return parse_output(key, arg, state, out);

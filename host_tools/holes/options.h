@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { HOLES_MAX_PLOTS = 8 };
+#include "plot_list.h"
 
 typedef struct {
     const char *log_path; /* NULL when live */
@@ -14,8 +14,7 @@ typedef struct {
     double seconds;        /* 0: until the run is done */
     const char *json_path; /* "-": standard output */
     const char *csv_path;
-    const char *plots[HOLES_MAX_PLOTS];
-    size_t n_plots;
+    exk_plot_list plots;
     double tolerance_m; /* 0: the job's */
     bool report_only;
     bool quiet;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "exk/args.h"
 #include "exk/version.h"
 #include "ilc_tool.h"
 
@@ -42,30 +43,6 @@ static const struct argp_option options[] = {
 
 static const char *const commands[] = {
     [ILC_LEARN] = "learn", [ILC_SHOW] = "show", [ILC_VERIFY] = "verify", [ILC_TRAIN] = "train"};
-
-static uint32_t count(struct argp_state *state, const char *what, const char *arg, uint32_t min,
-                      uint32_t max)
-{
-    char *end = NULL;
-    errno = 0;
-    const unsigned long value = strtoul(arg, &end, 10);
-    if (errno != 0 || end == arg || *end != '\0' || arg[0] == '-' || value < min ||
-        value > max) {
-        argp_error(state, "%s %s: a whole number from %u to %u is allowed", what, arg, min,
-                   max);
-    }
-    return (uint32_t)value;
-}
-
-static double positive(struct argp_state *state, const char *what, const char *arg)
-{
-    char *end = NULL;
-    const double value = strtod(arg, &end);
-    if (end == arg || *end != '\0' || !(value > 0.0) || !isfinite(value)) {
-        argp_error(state, "%s %s: a number above 0 is allowed", what, arg);
-    }
-    return value;
-}
 
 static ilc_command command_of(struct argp_state *state, const char *word)
 {
@@ -110,13 +87,13 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         out->output = arg;
         return 0;
     case 'n':
-        out->n_runs = count(state, "-n", arg, 1, 100000);
+        out->n_runs = (uint32_t)exk_args_whole(state, "-n", arg, 1, 100000);
         return 0;
     case KEY_SERIES:
-        out->series = count(state, "--series", arg, 0, UINT32_MAX);
+        out->series = (uint32_t)exk_args_whole(state, "--series", arg, 0, UINT32_MAX);
         return 0;
     case KEY_UNTIL:
-        out->until_mm = positive(state, "--until", arg);
+        out->until_mm = exk_args_positive(state, "--until", arg, "millimetres");
         return 0;
     case KEY_JSON:
         out->json = true;

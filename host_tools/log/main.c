@@ -107,8 +107,8 @@ static int draw_pictures(const log_options *opt, const exk_run_log *log)
     char why[WHY_MAX];
     int code = 0;
     const char *source = opt->from != NULL ? opt->from : opt->log_path;
-    for (size_t i = 0; i < opt->n_plots; i++) {
-        const int one = path_picture_write(log, source, opt->plots[i], why, sizeof why);
+    for (size_t i = 0; i < opt->plots.n; i++) {
+        const int one = path_picture_write(log, source, opt->plots.path[i], why, sizeof why);
         code = worse(code, one == 0 ? 0 : complain(one, why));
     }
     return code;

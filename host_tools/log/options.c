@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "exk/args.h"
 #include "exk/version.h"
 #include "gnuplot.h"
 
@@ -58,17 +59,6 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static double positive(struct argp_state *state, const char *what, const char *arg)
-{
-    char *end = NULL;
-    errno = 0;
-    const double value = strtod(arg, &end);
-    if (errno != 0 || end == arg || *end != '\0' || !(value > 0.0 && isfinite(value))) {
-        argp_error(state, "--%s %s: a number of seconds above 0 is allowed", what, arg);
-    }
-    return value;
-}
-
 static int64_t run_number(struct argp_state *state, const char *arg)
 {
     char *end = NULL;
@@ -79,23 +69,6 @@ static int64_t run_number(struct argp_state *state, const char *arg)
                    arg);
     }
     return value;
-}
-
-static void add_plot(struct argp_state *state, log_options *out, const char *arg)
-{
-    exk_out_kind kind;
-    if (!exk_plot_kind(arg, &kind)) {
-        argp_error(state, "--plot %s: a picture ends in .svg or .png", arg);
-    }
-    if (out->n_plots == LOG_MAX_PLOTS) {
-        argp_error(state, "--plot %s: at most %d pictures in one call", arg, LOG_MAX_PLOTS);
-    }
-    out->plots[out->n_plots++] = arg;
-}
-
-static bool is_stdout(const char *path)
-{
-    return path != NULL && strcmp(path, "-") == 0;
 }
 
 static void check(struct argp_state *state, const log_options *out)
@@ -111,10 +84,7 @@ static void check(struct argp_state *state, const log_options *out)
     if (!from_bus && (out->url != NULL || out->seconds > 0.0 || out->until_done)) {
         argp_error(state, "--url, --seconds and --until-done are for the bus, not for --from");
     }
-    if (is_stdout(out->json_path) && is_stdout(out->csv_path)) {
-        argp_error(state, "--json and --csv - both want standard output: give one a file, "
-                          "--json=FILE or --csv FILE");
-    }
+    exk_refuse_two_on_stdout(state, out->json_path, out->csv_path);
 }
 
 static error_t parse_input(int key, char *arg, struct argp_state *state, log_options *out)
@@ -127,7 +97,7 @@ static error_t parse_input(int key, char *arg, struct argp_state *state, log_opt
         out->from = arg;
         return 0;
     case KEY_SECONDS:
-        out->seconds = positive(state, "seconds", arg);
+        out->seconds = exk_args_positive(state, "--seconds", arg, "seconds");
         return 0;
     case KEY_UNTIL_DONE:
         out->until_done = true;
@@ -150,7 +120,7 @@ static error_t parse_output(int key, char *arg, struct argp_state *state, log_op
         out->csv_path = arg;
         return 0;
     case KEY_PLOT:
-        add_plot(state, out, arg);
+        exk_plot_list_add(&out->plots, state, arg);
         return 0;
     case 'q':
         out->quiet = true;

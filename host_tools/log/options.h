@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { LOG_MAX_PLOTS = 8 };
+#include "plot_list.h"
 
 typedef struct {
     const char *log_path; /* what is recorded; NULL with from */
@@ -17,8 +17,7 @@ typedef struct {
     int64_t run_id;        /* 0: the first run seen */
     const char *json_path; /* "-": standard output */
     const char *csv_path;
-    const char *plots[LOG_MAX_PLOTS];
-    size_t n_plots;
+    exk_plot_list plots;
     bool quiet;
 } log_options;
 

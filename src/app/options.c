@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <stdlib.h>
 
+#include "exk/args.h"
 #include "exk/version.h"
 
 enum {
@@ -51,19 +52,6 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static uint32_t count(struct argp_state *state, const char *what, const char *arg, uint32_t min)
-{
-    char *end = NULL;
-    errno = 0;
-    const unsigned long long value = strtoull(arg, &end, 10);
-    if (errno != 0 || end == arg || *end != '\0' || arg[0] == '-' || value < min ||
-        value > UINT32_MAX) {
-        argp_error(state, "--%s %s: a whole number from %u to %u is allowed", what, arg, min,
-                   UINT32_MAX);
-    }
-    return (uint32_t)value;
-}
-
 static error_t parse_flag(int key, loop_options *out)
 {
     switch (key) {
@@ -103,10 +91,10 @@ static error_t parse_value(int key, char *arg, struct argp_state *state, loop_op
         out->url = arg;
         return 0;
     case KEY_RUN:
-        out->run = count(state, "run", arg, 1);
+        out->run = (uint32_t)exk_args_whole(state, "--run", arg, 1, UINT32_MAX);
         return 0;
     case KEY_SERIES:
-        out->series = count(state, "series", arg, 0);
+        out->series = (uint32_t)exk_args_whole(state, "--series", arg, 0, UINT32_MAX);
         return 0;
     default:
         return parse_flag(key, out);

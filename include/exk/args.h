@@ -1,0 +1,19 @@
+/** Numbers on a command line: said clearly when they are wrong (exit through argp_error).
+ *
+ *  what    the option with its dashes, for the message: "--seconds".
+ */
+#ifndef EXK_ARGS_H
+#define EXK_ARGS_H
+
+#include <argp.h>
+#include <stdint.h>
+
+/** A whole number from min to max. */
+uint64_t exk_args_whole(const struct argp_state *state, const char *what, const char *arg,
+                        uint64_t min, uint64_t max);
+
+/** A finite number above 0; unit is what the message calls it, "seconds". */
+double exk_args_positive(const struct argp_state *state, const char *what, const char *arg,
+                         const char *unit);
+
+#endif
