@@ -67,11 +67,19 @@ typedef struct {
     exk_state state;
     exk_err fault;   /* why the state is EXK_STATE_FAULT */
     exk_sample last; /* the last good step: held under a fault */
+    exk_sample open; /* between command and measure: what is known of this tick */
+    exk_joints open_r;
 } exk_loop;
 
 exk_err exk_loop_init(exk_loop *loop, const exk_loop_config *cfg);
 void exk_loop_reset(exk_loop *loop);
 exk_err exk_loop_step(exk_loop *loop, int64_t k, exk_sample *out);
+
+/** The two halves of a step, for a source that answers by the next tick (a machine on the bus): command
+ *  writes what to drive at tick k, measure takes the answer to it and closes the tick. Step is both with
+ *  the exchange between. command: the fault's code and drive untouched when there is nothing to send. */
+exk_err exk_loop_command(exk_loop *loop, int64_t k, exk_drive *drive);
+exk_err exk_loop_measure(exk_loop *loop, const exk_reading *reading, exk_sample *out);
 
 /** Puts the loop into EXK_STATE_FAULT from outside (missed deadlines); the first fault stays. */
 void exk_loop_fail(exk_loop *loop, exk_err why);

@@ -46,6 +46,7 @@ void exk_loop_reset(exk_loop *loop)
     loop->state = EXK_STATE_IDLE;
     loop->fault = EXK_OK;
     loop->last = (exk_sample){.hole = -1, .hole_id = -1};
+    loop->open = loop->last;
 }
 
 void exk_loop_fail(exk_loop *loop, exk_err why)
@@ -93,17 +94,15 @@ static exk_err command(const exk_loop *loop, const exk_joints *r, exk_sample *ou
     return exk_kin_legs(cfg->kin, &q, out->legs_m);
 }
 
-static exk_err exchange(const exk_loop *loop, const exk_sample *out, exk_reading *reading)
+static void fill_drive(const exk_sample *out, exk_drive *drive)
 {
-    exk_drive drive;
     for (int i = 0; i < EXK_N_AXES; i++) {
-        drive.angle_rad[i] = out->q_rad[i];
-        drive.wrist_rad[i] = out->wrist_rad[i];
+        drive->angle_rad[i] = out->q_rad[i];
+        drive->wrist_rad[i] = out->wrist_rad[i];
     }
     for (int i = 0; i < EXK_N_LEGS; i++) {
-        drive.legs_m[i] = out->legs_m[i];
+        drive->legs_m[i] = out->legs_m[i];
     }
-    return loop->cfg.source.exchange(loop->cfg.source.ctx, out->k, &drive, reading);
 }
 
 /* Written so that NaN fails. */
@@ -165,26 +164,6 @@ static exk_err forward(const exk_loop *loop, const exk_joints *r, const exk_read
     return tip(loop, r, out->m_rad, &out->est);
 }
 
-static exk_err run_step(exk_loop *loop, int64_t k, exk_sample *out)
-{
-    exk_joints r;
-    exk_reading reading = {.fresh = false};
-    exk_err err = refer(loop, k, out, &r);
-    if (err == EXK_OK) {
-        err = command(loop, &r, out);
-    }
-    if (err == EXK_OK) {
-        err = exchange(loop, out, &reading);
-    }
-    if (err == EXK_OK) {
-        err = correct(loop, &reading, out);
-    }
-    if (err == EXK_OK) {
-        err = forward(loop, &r, &reading, out);
-    }
-    return err;
-}
-
 static exk_err hold(const exk_loop *loop, int64_t k, exk_sample *out)
 {
     *out = loop->last;
@@ -195,18 +174,54 @@ static exk_err hold(const exk_loop *loop, int64_t k, exk_sample *out)
     return loop->fault;
 }
 
-exk_err exk_loop_step(exk_loop *loop, int64_t k, exk_sample *out)
+exk_err exk_loop_command(exk_loop *loop, int64_t k, exk_drive *drive)
 {
+    loop->open = (exk_sample){.hole = -1, .k = k};
     if (loop->state == EXK_STATE_FAULT) {
-        return hold(loop, k, out);
+        return loop->fault;
     }
-    *out = (exk_sample){.hole = -1};
-    const exk_err err = run_step(loop, k, out);
+    exk_err err = refer(loop, k, &loop->open, &loop->open_r);
+    if (err == EXK_OK) {
+        err = command(loop, &loop->open_r, &loop->open);
+    }
     if (err != EXK_OK) {
         exk_loop_fail(loop, err);
-        return hold(loop, k, out);
+        return err;
+    }
+    fill_drive(&loop->open, drive);
+    return EXK_OK;
+}
+
+exk_err exk_loop_measure(exk_loop *loop, const exk_reading *reading, exk_sample *out)
+{
+    *out = loop->open;
+    if (loop->state == EXK_STATE_FAULT) {
+        return hold(loop, out->k, out);
+    }
+    exk_err err = correct(loop, reading, out);
+    if (err == EXK_OK) {
+        err = forward(loop, &loop->open_r, reading, out);
+    }
+    if (err != EXK_OK) {
+        exk_loop_fail(loop, err);
+        return hold(loop, out->k, out);
     }
     loop->last = *out;
-    loop->state = k + 1 < loop->cfg.plan->n_ticks ? EXK_STATE_RUN : EXK_STATE_DONE;
+    loop->state = out->k + 1 < loop->cfg.plan->n_ticks ? EXK_STATE_RUN : EXK_STATE_DONE;
     return EXK_OK;
+}
+
+exk_err exk_loop_step(exk_loop *loop, int64_t k, exk_sample *out)
+{
+    const exk_source *source = &loop->cfg.source;
+    exk_drive drive;
+    exk_reading reading = {.fresh = false};
+    exk_err err = exk_loop_command(loop, k, &drive);
+    if (err == EXK_OK) {
+        err = source->exchange(source->ctx, k, &drive, &reading);
+    }
+    if (err != EXK_OK) {
+        exk_loop_fail(loop, err);
+    }
+    return exk_loop_measure(loop, &reading, out);
 }
