@@ -66,3 +66,17 @@ function(exk_script_test label name script)
     add_test(NAME ${name} COMMAND bash ${script} ${TEST_ARGS})
     set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT 120 SKIP_RETURN_CODE 77)
 endfunction()
+
+# exk_test_port(port): a UDP port no other test of this build tree has; trees start apart, so that
+# two of them can be tested on one machine at the same time.
+function(exk_test_port var)
+    get_property(port GLOBAL PROPERTY EXK_NEXT_PORT)
+    if(NOT port)
+        string(SHA256 tree ${PROJECT_BINARY_DIR})
+        string(SUBSTRING ${tree} 0 6 tree)
+        math(EXPR port "20000 + (0x${tree} % 400) * 100")
+    endif()
+    set(${var} ${port} PARENT_SCOPE)
+    math(EXPR port "${port} + 1")
+    set_property(GLOBAL PROPERTY EXK_NEXT_PORT ${port})
+endfunction()

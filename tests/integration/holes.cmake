@@ -5,9 +5,10 @@ if(TARGET exk-holes AND TARGET exk-loop)
     target_link_libraries(edit-log PRIVATE exk::telemetry exk_warnings)
     add_executable(check-json ${dir}/check_json.c)
     target_link_libraries(check-json PRIVATE exk_jansson exk_warnings m)
+    exk_test_port(port)
     foreach(name contract losses refusals outputs live)
         exk_script_test(integration test_holes_${name} ${dir}/${name}.sh
             ARGS ${PROJECT_BINARY_DIR}/bin ${PROJECT_SOURCE_DIR}/profiles
-                ${CMAKE_CURRENT_BINARY_DIR})
+                ${CMAKE_CURRENT_BINARY_DIR} ${port})
     endforeach()
 endif()

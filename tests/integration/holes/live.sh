@@ -1,6 +1,6 @@
 # Live: the run on the bus is judged when it is done, as its log is.
 . "$(dirname "$0")/common.sh"
-url='udpm://239.255.76.67:7741?ttl=0'
+url="udpm://239.255.76.67:$4?ttl=0"
 short p.ini
 # start_listener ARGS...: exk-holes --live in the background, back when it listens
 start_listener() {
