@@ -14,20 +14,20 @@ static const char doc[] =
     "Makes and checks the stored correction (ILC) of a drilling job."
     "\v"
     "  learn LOG -o STORE        one update u + K (e + c) from a recorded run\n"
-    "  train PROFILE -n N        N runs and N updates in this process, a line a run\n"
+    "  train PROFILE -n N        N runs and N updates here, a line for each run\n"
     "  show STORE                what a store holds\n"
     "  verify STORE [PROFILE]    is it whole, and does it belong to this profile\n"
     "\n"
     "Examples:\n"
-    "  exk-ilc train profiles/rectangle_ilc.ini -n 5 -o rectangle.ilc\n"
-    "  exk-loop profiles/rectangle_ilc.ini --fast -r run1.lcm && exk-ilc learn run1.lcm -o "
-    "r.ilc\n"
+    "  exk-ilc train profiles/rectangle_ilc.ini -n 5 -o r.ilc\n"
+    "  exk-loop profiles/rectangle_ilc.ini --fast -r run1.lcm\n"
+    "  exk-ilc learn run1.lcm -o r.ilc\n"
     "\n"
-    "Gains, filter and limits come from [control] of the profile (learn: of the log).\n"
+    "Gains, filter and limits come from [control] of the profile (learn: of the\n"
+    "log).\n"
     "\n"
-    "Exit status: 0 good, 1 --until was not reached, or the run ended by fault, 2 wrong use or "
-    "an\n"
-    "input that is refused, 3 input or output failed.";
+    "Exit status: 0 good; 1 --until was not reached, or the run ended by fault;\n"
+    "2 wrong use, or an input that is refused; 3 input or output failed.";
 
 static const struct argp_option options[] = {
     {"output", 'o', "STORE", 0, "Where to write the store (learn: needed)", 0},

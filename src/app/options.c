@@ -23,17 +23,16 @@ static const char doc[] =
     "Runs the controller of a profile: in real time on the LCM bus, or unpaced with --fast."
     "\v"
     "Examples:\n"
-    "  exk-loop profiles/rectangle.ini                       in real time, on the bus\n"
-    "  exk-loop profiles/rectangle.ini --fast -r run.lcm     unpaced, to a log file\n"
-    "  exk-loop profiles/rectangle_ilc.ini --fast --ilc rectangle.ilc -r run2.lcm\n"
+    "  exk-loop profiles/rectangle.ini                    in real time, on the bus\n"
+    "  exk-loop profiles/rectangle.ini --fast -r run.lcm  unpaced, to a log file\n"
+    "  exk-loop profiles/rectangle_ilc.ini --fast --ilc r.ilc -r run2.lcm\n"
     "\n"
-    "Watch it with exk-spy, record it with exk-log, judge it with exk-holes. Ctrl-C ends a "
-    "run\n"
-    "cleanly: the log is complete.\n"
+    "Watch it with exk-spy, record it with exk-log, judge it with exk-holes.\n"
+    "Ctrl-C ends a run cleanly: the log is complete.\n"
     "\n"
-    "Exit status: 0 the job was run to its end, 1 it ended by fault or signal, 2 wrong use or "
-    "a\n"
-    "profile, job or store that is refused, 3 input or output failed.";
+    "Exit status: 0 the job was run to its end; 1 it ended by fault or signal;\n"
+    "2 wrong use, or a profile, job or store that is refused; 3 input or output\n"
+    "failed.";
 
 static const struct argp_option options[] = {
     {"fast", KEY_FAST, NULL, 0, "Unpaced, on virtual time; off the bus unless --bus is given",
