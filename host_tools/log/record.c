@@ -14,7 +14,7 @@
 enum { WAIT_MS = 100, BAR = 24 };
 static const double show_s = 0.2;    /* between two lines of progress */
 static const double flush_s = 0.5;   /* between two flushes of the log */
-static const double settle_s = 1.0;  /* after DONE, for what follows it */
+static const double settle_s = 1.0;  /* after the end, for what is still on its way */
 static const double silence_s = 5.0; /* a status comes ten times a second: then it is dead */
 
 static volatile sig_atomic_t stop_asked; /* written by the signal handler only */
@@ -125,10 +125,11 @@ static bool is_over(const recorder *self, double now, record_end *end)
            (self->log->closed || now - self->done_s > settle_s);
 }
 
-/* What LCM has received is recorded, whatever ended the wait. */
+/* What LCM has received is recorded, whatever ended the wait; a run that goes on is not waited for. */
 static void drain(exk_bus *bus)
 {
-    while (exk_bus_wait(bus, 0) > 0) {
+    const double begin = now_s();
+    while (exk_bus_wait(bus, 0) > 0 && now_s() - begin < settle_s) {
     }
 }
 
