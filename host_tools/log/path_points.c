@@ -5,10 +5,12 @@
 
 #include "exk/units.h"
 
+enum { SPARE = 64 }; /* a judged sample opens two points; a log without its job has some too */
+
 bool path_points_init(path_points *path, int64_t n_samples, size_t n_holes)
 {
     *path = (path_points){.stretch = n_samples / PATH_POINTS_MAX + 1};
-    path->capacity = (size_t)(n_samples / path->stretch) + n_holes + 2;
+    path->capacity = (size_t)(n_samples / path->stretch) + 2 * n_holes + SPARE;
     path->points = calloc(path->capacity, sizeof *path->points);
     return path->points != NULL;
 }
