@@ -54,10 +54,12 @@ typedef struct {
     size_t n_holes;
     double tolerance_m;
     exk_hole_result *results;
-    int32_t open; /* hole whose dwell is running, -1: none */
+    int32_t open;   /* hole whose dwell is running, -1: none */
+    int64_t open_k; /* newest sample of that dwell: what counts if it is the last */
+    exk_tool open_tool;
     int64_t n_points;
-    double sum_sq_m2;    /* of the radial path error */
-    double last_point_m; /* radial error of the last sample */
+    double sum_sq_m2;  /* of the radial path error */
+    double last_sq_m2; /* of the last sample */
 } exk_judge;
 
 /** Figures over the holes drilled so far; mean, max, rms and last point are 0 when there is none. */

@@ -71,38 +71,42 @@ static double angle_between_rad(const double a[3], const double b[3])
     return atan2(exk_norm3(c), exk_dot3(a, b));
 }
 
-static void judge_hole(exk_judge *judge, const exk_judged_point *point)
+static void judge_hole(const exk_judge *judge, const exk_hole *hole, exk_hole_result *result)
 {
-    const exk_hole *hole = &judge->holes[point->hole];
-    exk_hole_result *result = &judge->results[point->hole];
     double d_m[2];
-    exk_plane_error(point->tool.tip_m, hole->target_m, hole->axis, d_m);
-    result->drilled = false; /* until this dwell is closed */
-    result->inside = false;
-    result->k = point->k;
-    exk_copy3(point->tool.tip_m, result->tip_m);
+    exk_plane_error(judge->open_tool.tip_m, hole->target_m, hole->axis, d_m);
+    result->drilled = true;
+    result->k = judge->open_k;
+    exk_copy3(judge->open_tool.tip_m, result->tip_m);
     result->dx_m = d_m[0];
     result->dy_m = d_m[1];
     result->radial_m = sqrt(d_m[0] * d_m[0] + d_m[1] * d_m[1]);
-    result->tilt_rad = angle_between_rad(point->tool.axis, hole->axis);
+    result->inside = result->radial_m <= judge->tolerance_m; /* false for NaN */
+    result->tilt_rad = angle_between_rad(judge->open_tool.axis, hole->axis);
+}
+
+/* Squared distance from the line through target along axis: once a sample, so no basis is built. */
+static double off_line_sq_m2(const double tip_m[3], const double target_m[3],
+                             const double axis[3])
+{
+    double off_m[3];
+    exk_add_scaled3(tip_m, -1.0, target_m, off_m);
+    exk_add_scaled3(off_m, -exk_dot3(off_m, axis), axis, off_m);
+    return exk_dot3(off_m, off_m);
 }
 
 static void count_path(exk_judge *judge, const exk_judged_point *point)
 {
-    double d_m[2];
-    exk_plane_error(point->tool.tip_m, point->ref.tip_m, point->ref.axis, d_m);
+    judge->last_sq_m2 = off_line_sq_m2(point->tool.tip_m, point->ref.tip_m, point->ref.axis);
+    judge->sum_sq_m2 += judge->last_sq_m2;
     judge->n_points++;
-    judge->sum_sq_m2 += d_m[0] * d_m[0] + d_m[1] * d_m[1];
-    judge->last_point_m = sqrt(d_m[0] * d_m[0] + d_m[1] * d_m[1]);
 }
 
 int32_t exk_judge_end(exk_judge *judge)
 {
     const int32_t done = judge->open;
     if (done >= 0) {
-        exk_hole_result *result = &judge->results[done];
-        result->drilled = true;
-        result->inside = result->radial_m <= judge->tolerance_m; /* false for NaN */
+        judge_hole(judge, &judge->holes[done], &judge->results[done]);
     }
     judge->open = -1;
     return done;
@@ -118,8 +122,11 @@ int32_t exk_judge_push(exk_judge *judge, const exk_judged_point *point)
         done = exk_judge_end(judge);
     }
     if (dwell) {
+        judge->results[point->hole].drilled = false; /* until this dwell is closed */
+        judge->results[point->hole].inside = false;
         judge->open = point->hole;
-        judge_hole(judge, point);
+        judge->open_k = point->k;
+        judge->open_tool = point->tool;
     }
     return done;
 }
@@ -143,7 +150,7 @@ static void count_hole(exk_accuracy *out, const exk_hole_result *result, int32_t
 
 void exk_judge_summary(const exk_judge *judge, exk_accuracy *out)
 {
-    *out = (exk_accuracy){.worst = -1, .last_point_m = judge->last_point_m};
+    *out = (exk_accuracy){.worst = -1, .last_point_m = sqrt(judge->last_sq_m2)};
     for (size_t i = 0; i < judge->n_holes; i++) {
         if (judge->results[i].drilled) {
             count_hole(out, &judge->results[i], (int32_t)i);

@@ -252,6 +252,7 @@ static void tilt_is_the_angle_between_tool_and_hole(void)
     p.tool.axis[0] = sin(0.01);
     p.tool.axis[2] = cos(0.01);
     exk_judge_push(&judge, &p);
+    TEST_ASSERT_EQUAL_INT32(0, exk_judge_end(&judge));
     TEST_ASSERT_DOUBLE_WITHIN(1e-15, 0.01, results[0].tilt_rad);
 }
 
