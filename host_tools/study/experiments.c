@@ -10,16 +10,25 @@
 
 #include "exk/units.h"
 #include "task.h"
+#include "variant.h"
 
 static const study_experiment_info table[STUDY_N_EXPERIMENTS] = {
-    [STUDY_S1_NONE] = {"s1_none", 1},   [STUDY_S1_ALPHA] = {"s1_alpha", 1},
-    [STUDY_S1_BETA] = {"s1_beta", 1},   [STUDY_S1_BOTH] = {"s1_both", 1},
-    [STUDY_S2_ALPHA] = {"s2_alpha", 1}, [STUDY_S2_BETA] = {"s2_beta", 1},
-    [STUDY_S2_BOTH] = {"s2_both", 1},   [STUDY_S2_WHITE] = {"s2_white", 1},
-    [STUDY_S3_MINUS] = {"s3_minus", 1}, [STUDY_S3_PLUS] = {"s3_plus", 1},
-    [STUDY_S4] = {"s4_ilc", 3},         [STUDY_S5] = {"s5_ilc", 3},
-    [STUDY_S6] = {"s6_pi", 1},          [STUDY_S7] = {"s7_grid25_white", 5},
-    [STUDY_S8] = {"s8_grid25_walk", 5}, [STUDY_S9] = {"s9_grid45_white", 5},
+    [STUDY_S1_NONE] = {"s1_none", 1, STUDY_PART_S1},
+    [STUDY_S1_ALPHA] = {"s1_alpha", 1, STUDY_PART_S1},
+    [STUDY_S1_BETA] = {"s1_beta", 1, STUDY_PART_S1},
+    [STUDY_S1_BOTH] = {"s1_both", 1, STUDY_PART_S1},
+    [STUDY_S2_ALPHA] = {"s2_alpha", 1, STUDY_PART_S2},
+    [STUDY_S2_BETA] = {"s2_beta", 1, STUDY_PART_S2},
+    [STUDY_S2_BOTH] = {"s2_both", 1, STUDY_PART_S2},
+    [STUDY_S2_WHITE] = {"s2_white", 1, STUDY_PART_S2},
+    [STUDY_S3_MINUS] = {"s3_minus", 1, STUDY_PART_S3},
+    [STUDY_S3_PLUS] = {"s3_plus", 1, STUDY_PART_S3},
+    [STUDY_S4] = {"s4_ilc", 3, STUDY_PART_S4},
+    [STUDY_S5] = {"s5_ilc", 3, STUDY_PART_S5},
+    [STUDY_S6] = {"s6_pi", 1, STUDY_PART_S6},
+    [STUDY_S7] = {"s7_grid25_white", 5, STUDY_PART_S7},
+    [STUDY_S8] = {"s8_grid25_walk", 5, STUDY_PART_S8},
+    [STUDY_S9] = {"s9_grid45_white", 5, STUDY_PART_S9},
 };
 
 /* Successive multiples of it fill the circle evenly, however many are taken. */
@@ -82,10 +91,14 @@ int study_rig_open(exk_rig *rig, const char *folder, study_experiment which)
     return exk_rig_open(rig, path);
 }
 
-int study_lab_open(study_lab *lab, const char *folder, study_experiment which)
+int study_lab_open(study_lab *lab, const char *folder, study_experiment which,
+                   const study_variant *variant)
 {
     *lab = (study_lab){.which = which, .rig = calloc(1, sizeof *lab->rig)};
     int code = lab->rig == NULL ? STUDY_IO : study_rig_open(lab->rig, folder, which);
+    if (code == STUDY_GOOD) {
+        code = study_vary(lab->rig, which, variant);
+    }
     if (code == STUDY_GOOD && !exk_series_open(&lab->series, lab->rig)) {
         fprintf(stderr, "exk-study: out of memory\n");
         exk_rig_close(lab->rig);

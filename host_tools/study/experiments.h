@@ -30,10 +30,40 @@ typedef enum {
     STUDY_N_EXPERIMENTS
 } study_experiment;
 
+/* S1 to S9, each with its experiments. */
+typedef enum {
+    STUDY_PART_S1,
+    STUDY_PART_S2,
+    STUDY_PART_S3,
+    STUDY_PART_S4,
+    STUDY_PART_S5,
+    STUDY_PART_S6,
+    STUDY_PART_S7,
+    STUDY_PART_S8,
+    STUDY_PART_S9,
+    STUDY_N_PARTS
+} study_part;
+
+enum { STUDY_ALL_PARTS = (1 << STUDY_N_PARTS) - 1 };
+
 typedef struct {
     const char *name; /* of the profile, without .ini */
     int n_runs;       /* of its series; the last one is judged */
+    study_part part;
 } study_experiment_info;
+
+/** A departure from the profiles, for calibration and sensitivity; NaN and false: as they say. */
+typedef struct {
+    double ilc_gain;
+    double dwell_s;
+    double walk_sigma;  /* first-order intensity of S5, S6, S8 [rad/s^0.5] */
+    double white_sigma; /* zero-order sigma of S7, S9 [rad] */
+    double ki_per_s;    /* of S6 */
+    bool universal;     /* model U in place of the profile's */
+    bool s9_walk;       /* S9 with the first-order noise */
+} study_variant;
+
+study_variant study_as_published(void);
 
 const study_experiment_info *study_experiment_at(study_experiment which);
 
@@ -53,7 +83,8 @@ typedef struct {
     double phase_rad; /* of the profile's sine */
 } study_lab;
 
-int study_lab_open(study_lab *lab, const char *folder, study_experiment which);
+int study_lab_open(study_lab *lab, const char *folder, study_experiment which,
+                   const study_variant *variant);
 void study_lab_close(study_lab *lab);
 
 /** Before trial i: nothing learned, and the sine of S1 at its phase. */

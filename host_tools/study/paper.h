@@ -74,6 +74,8 @@ typedef struct {
     char folder[STUDY_FOLDER_MAX];
     study_measure measures[STUDY_N_PAPER];
     exk_profile profiles[STUDY_N_EXPERIMENTS];
+    study_variant variant;
+    uint32_t parts;    /* bits of study_part that are run; measures of the others stay empty */
     const char *noise; /* frozen, fresh or mixed, over all experiments */
     study_task task;
 } study_paper;

@@ -10,6 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/** One byte more than n is allocated, for a text's end. */
 uint8_t *study_read_whole(const char *path, size_t *n, char *why, size_t why_size);
 bool study_write_whole(const char *path, const uint8_t *bytes, size_t n, char *why,
                        size_t why_size);
