@@ -56,6 +56,7 @@ typedef struct {
 typedef struct {
     double ilc_gain;
     double dwell_s;
+    double feed_mps;
     double walk_sigma;  /* first-order intensity of S5, S6, S8 [rad/s^0.5] */
     double white_sigma; /* zero-order sigma of S7, S9 [rad] */
     double ki_per_s;    /* of S6 */

@@ -10,6 +10,7 @@ study_variant study_as_published(void)
 {
     return (study_variant){.ilc_gain = NAN,
                            .dwell_s = NAN,
+                           .feed_mps = NAN,
                            .walk_sigma = NAN,
                            .white_sigma = NAN,
                            .ki_per_s = NAN};
@@ -61,12 +62,14 @@ int study_vary(exk_rig *rig, study_experiment which, const study_variant *varian
     }
     set_if_given(&profile.ilc.gain, variant->ilc_gain);
     set_if_given(&profile.job.plan.dwell_s, variant->dwell_s);
+    set_if_given(&profile.job.plan.feed_mps, variant->feed_mps);
     if (which == STUDY_S6) {
         set_if_given(&profile.feedback.pid.ki, variant->ki_per_s);
     }
     vary_noise(&profile, which, variant);
     profile.model = variant->universal ? EXK_KIN_UNIVERSAL : profile.model;
     const bool new_plan = profile.job.plan.dwell_s != rig->profile.job.plan.dwell_s ||
+                          profile.job.plan.feed_mps != rig->profile.job.plan.feed_mps ||
                           profile.model != rig->profile.model;
     if (new_plan) {
         return open_again(rig, study_experiment_at(which)->name, &profile);
