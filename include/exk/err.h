@@ -17,6 +17,7 @@ typedef enum {
     EXK_ERR_SENSOR,      /* too many bad sensor samples in a row */
     EXK_ERR_END,         /* a source has no further samples */
     EXK_ERR_OVERRUN,     /* too many deadlines missed in a row */
+    EXK_ERR_SILENT,      /* the machine does not answer */
     EXK_ERR_COUNT
 } exk_err;
 

@@ -1,6 +1,7 @@
 /** A profile: one experiment, one INI text, checked as a whole.
  *
- *  Text    [machine] [kinematics] [job] [disturbance.N] [sensor] [control] [loop] [telemetry].
+ *  Text    [machine] [kinematics] [job] [disturbance.N] [sensor] [control] [loop] [telemetry]
+ *          [command].
  *          Keys carry their unit (tolerance_mm); values here are SI. One table of keys gives the
  *          parser, the range checks, the defaults, --print, the job hash and the manual page.
  *  Errors  every fault of a text is collected, each with line, key, what was found and what is
@@ -28,7 +29,7 @@ enum { EXK_PATH_MAX = 512, EXK_NAME_MAX = 64 };
 
 typedef enum { EXK_JOB_RECTANGLE, EXK_JOB_GRID, EXK_JOB_CSV, EXK_JOB_COUNT } exk_job_kind;
 typedef enum { EXK_ORDER_LISTED, EXK_ORDER_SERPENTINE, EXK_ORDER_COUNT } exk_hole_order;
-typedef enum { EXK_FROM_TWIN, EXK_FROM_REPLAY, EXK_FROM_COUNT } exk_joint_from;
+typedef enum { EXK_FROM_TWIN, EXK_FROM_REPLAY, EXK_FROM_BUS, EXK_FROM_COUNT } exk_joint_from;
 
 typedef struct {
     exk_job_kind kind;
@@ -46,6 +47,7 @@ typedef struct {
     uint64_t seed;
     exk_joint_from from;
     char replay_file[EXK_PATH_MAX];
+    double answer_s;  /* longest wait for a machine on the bus */
     int n_missed_max; /* missed deadlines in a row that are a fault */
     int n_bad_max;    /* bad sensor samples in a row that are a fault */
     int priority;     /* SCHED_FIFO, 0: do not ask */
@@ -61,6 +63,14 @@ typedef struct {
 } exk_telemetry_config;
 
 typedef struct {
+    bool allow;
+    char key_file[EXK_PATH_MAX]; /* relative to the profile's folder */
+    double timeout_s;            /* hold without a valid command for so long; 0: never */
+    double fresh_s;              /* oldest command that is taken */
+    bool wait;                   /* rest until a valid start */
+} exk_command_config;
+
+typedef struct {
     char name[EXK_NAME_MAX]; /* the file's name without folder and .ini; set by the caller */
     exk_geometry geometry;
     exk_wrist_kind wrist;
@@ -71,6 +81,7 @@ typedef struct {
     exk_ilc_config ilc;
     exk_timing_config timing;
     exk_telemetry_config telemetry;
+    exk_command_config command;
 } exk_profile;
 
 /** One fault of a text. line 0: the fault belongs to no line (a missing key). */

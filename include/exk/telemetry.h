@@ -20,6 +20,7 @@
 #include <stdint.h>
 
 #include "exk/accuracy.h"
+#include "exk/bus_counts.h"
 #include "exk/loop.h"
 #include "exk/profile.h"
 #include "exk/realtime.h"
@@ -34,6 +35,7 @@ typedef struct {
     int64_t n_bad;       /* rejected sensor samples so far */
     int32_t state;       /* exk_state */
     int32_t fault;       /* exk_err, EXK_OK without a fault */
+    exk_bus_counts bus;  /* 0 in fast mode */
 } exk_record;
 
 /** Fixed for a run; the strings are copied by start. */

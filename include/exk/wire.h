@@ -16,6 +16,7 @@
 #include <stdint.h>
 
 #include "exk/accuracy.h"
+#include "exk/bus_counts.h"
 #include "exk/loop.h"
 #include "exk/profile.h"
 
@@ -24,9 +25,12 @@
 #define EXK_CHANNEL_HOLE "EXK_HOLE"
 #define EXK_CHANNEL_STATUS "EXK_STATUS"
 #define EXK_CHANNEL_COMMAND "EXK_COMMAND"
+#define EXK_CHANNEL_DRIVE "EXK_DRIVE"
+#define EXK_CHANNEL_SENSOR "EXK_SENSOR"
 #define EXK_CHANNEL_ALL "EXK_.*" /* pattern for exk_bus_subscribe */
 
-enum { EXK_WIRE_POSE_MAX = 512, EXK_WIRE_HOLE_MAX = 256, EXK_WIRE_STATUS_MAX = 640 };
+enum { EXK_WIRE_POSE_MAX = 512, EXK_WIRE_HOLE_MAX = 256, EXK_WIRE_STATUS_MAX = 1024 };
+enum { EXK_WIRE_DRIVE_MAX = 192, EXK_WIRE_SENSOR_MAX = 128, EXK_WIRE_COMMAND_MAX = 96 };
 enum { EXK_WIRE_TEXT_MAX = 128 };
 
 /** Which message of which run; the first fields of every message. */
@@ -70,6 +74,7 @@ typedef struct {
     int32_t n_inside;
     int64_t lateness_ns[3]; /* median, 99 %, largest */
     int64_t step_ns[3];     /* the same */
+    exk_bus_counts bus;
     char reason[EXK_WIRE_TEXT_MAX];
     char rights[EXK_WIRE_TEXT_MAX];
 } exk_wire_status;
@@ -93,6 +98,34 @@ typedef struct {
     char *profile_text;
 } exk_wire_job;
 
+typedef enum { EXK_DRIVE_HELLO, EXK_DRIVE_STEP, EXK_DRIVE_BYE, EXK_DRIVE_COUNT } exk_drive_kind;
+
+typedef struct {
+    exk_wire_stamp stamp; /* k: -1 hello, -2 bye */
+    exk_realisation which;
+    exk_drive_kind kind;
+    exk_drive drive;
+} exk_wire_drive;
+
+typedef struct {
+    exk_wire_stamp stamp;
+    int64_t drive_seq;
+    int64_t machine_id;
+    double measured_rad[EXK_N_AXES]; /* anything, NaN included: the loop's guard judges it */
+    double true_rad[EXK_N_AXES];
+    bool has_true;
+} exk_wire_sensor;
+
+enum { EXK_MAC_BYTES = 32 };
+
+typedef struct {
+    int64_t run_id;
+    int64_t seq;
+    int64_t utime_us;
+    int8_t command; /* exk_command; any value may come */
+    unsigned char mac[EXK_MAC_BYTES];
+} exk_wire_command;
+
 /** Room that encoding a job needs: n_holes ids and 2 n_holes row pointers, lent by the caller. */
 typedef struct {
     int32_t *ids;
@@ -113,5 +146,14 @@ int exk_wire_job_encode(const exk_wire_job *job, const exk_wire_scratch *scratch
                         size_t size);
 bool exk_wire_job_decode(const void *data, size_t bytes, exk_wire_job *out);
 void exk_wire_job_free(exk_wire_job *job);
+
+int exk_wire_drive_encode(const exk_wire_drive *drive, void *buffer, size_t size);
+bool exk_wire_drive_decode(const void *data, size_t bytes, exk_wire_drive *out);
+
+int exk_wire_sensor_encode(const exk_wire_sensor *sensor, void *buffer, size_t size);
+bool exk_wire_sensor_decode(const void *data, size_t bytes, exk_wire_sensor *out);
+
+int exk_wire_command_encode(const exk_wire_command *command, void *buffer, size_t size);
+bool exk_wire_command_decode(const void *data, size_t bytes, exk_wire_command *out);
 
 #endif

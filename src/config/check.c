@@ -319,6 +319,20 @@ static void check_sources(exk_profile_reader *r)
     }
 }
 
+static void check_commands(exk_profile_reader *r)
+{
+    if (r->profile.command.allow && !given(r, EXK_IN_COMMAND, 0, "key_file")) {
+        exk_faults_add(&r->faults, line_of(r, EXK_IN_COMMAND, 0, "allow"),
+                       "[command]: missing key key_file; allow = yes needs the key that "
+                       "commands are checked with (exk-command keygen FILE makes one)");
+    }
+    if (r->profile.command.wait && !r->profile.command.allow) {
+        exk_faults_add(&r->faults, line_of(r, EXK_IN_COMMAND, 0, "wait"),
+                       "[command] wait: yes would wait for ever: no command is allowed; add "
+                       "allow = yes");
+    }
+}
+
 static void check_ring(exk_profile_reader *r)
 {
     const int slots = r->profile.telemetry.ring_slots;
@@ -343,6 +357,7 @@ void exk_check_profile(exk_profile_reader *reader)
         {EXK_IN_NOTHING, check_geometry}, {EXK_IN_JOB, check_job},
         {EXK_IN_CONTROL, check_feedback}, {EXK_IN_CONTROL, check_learning},
         {EXK_IN_LOOP, check_sources},     {EXK_IN_TELEMETRY, check_ring},
+        {EXK_IN_COMMAND, check_commands},
     };
     check_required(reader);
     derive(reader);

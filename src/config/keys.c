@@ -32,7 +32,7 @@ static const char *const wave_words[] = {"none", "constant", "sine", "gaussian",
 static const char *const channel_words[] = {"alpha", "beta", "both", NULL};
 static const char *const repeat_words[] = {"fresh", "frozen", NULL};
 static const char *const feedback_words[] = {"none", "pid", NULL};
-static const char *const source_words[] = {"twin", "replay", NULL};
+static const char *const source_words[] = {"twin", "replay", "bus", NULL};
 
 static const exk_section sections[EXK_IN_COUNT] = {
     [EXK_IN_NOTHING] = {"", false, ""},
@@ -47,6 +47,8 @@ static const exk_section sections[EXK_IN_COUNT] = {
     [EXK_IN_CONTROL] = {"control", false, "Feedback within a run and learning between runs."},
     [EXK_IN_LOOP] = {"loop", false, "Rate, randomness, and when to give up."},
     [EXK_IN_TELEMETRY] = {"telemetry", false, "What goes out on the bus."},
+    [EXK_IN_COMMAND] = {"command", false,
+                        "Who may start, stop, abort and clear a real-time run over the bus."},
 };
 
 /* Bounds of a row: min, max, above, required, words, shown_default. */
@@ -186,7 +188,9 @@ static const exk_key keys[] = {
     NUM("rate_Hz", hertz, P(timing.rate_Hz), RANGE(1.0, 40000.0), "steps a second"),
     ROW("seed", SEED, P(timing.seed), ANY_TEXT, "names the realisation of all random numbers"),
     ROW("source", WORD, P(timing.from), WORDS(source_words),
-        "where the measured angles come from"),
+        "where the measured angles come from; bus: a machine, or exk-twin, on [telemetry] url"),
+    NUM("answer_s", sec, P(timing.answer_s), RANGE(1e-3, 60.0),
+        "longest wait for a machine on the bus: at the start, and each tick of --fast"),
     ROW("replay_file", TEXT, P(timing.replay_file), ANY_TEXT,
         "log to read them from (source replay)"),
     ROW("missed_max", INTEGER, P(timing.n_missed_max), RANGE(1, 1000000),
@@ -207,6 +211,18 @@ static const exk_key keys[] = {
         "samples between loop and publisher, a power of two"),
     NUM("status_Hz", hertz, P(telemetry.status_Hz), ABOVE_0_TO(1000.0),
         "status messages a second"),
+#undef IN
+#define IN EXK_IN_COMMAND
+    ROW("allow", FLAG, P(command.allow), WORDS(yes_words),
+        "take commands that carry the right keyed hash; no: none is looked at"),
+    ROW("key_file", TEXT, P(command.key_file), ANY_TEXT,
+        "key of the hash, beside the profile, readable by its owner alone; exk-command keygen "
+        "makes one"),
+    NUM("timeout_s", sec, P(command.timeout_s), RANGE(0.0, 3600.0),
+        "hold when no valid command came for so long; 0: no stream is asked for"),
+    NUM("fresh_s", sec, P(command.fresh_s), RANGE(1e-3, 60.0),
+        "oldest command that is taken, by the wall clocks of both ends"),
+    ROW("wait", FLAG, P(command.wait), WORDS(yes_words), "rest until a valid start"),
 #undef IN
 };
 /* clang-format on */

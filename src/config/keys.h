@@ -29,6 +29,7 @@ typedef enum {
     EXK_IN_CONTROL,
     EXK_IN_LOOP,
     EXK_IN_TELEMETRY,
+    EXK_IN_COMMAND,
     EXK_IN_COUNT
 } exk_section_id;
 
@@ -53,7 +54,7 @@ typedef struct {
     const char *meaning;
 } exk_section;
 
-enum { EXK_KEYS_MAX = 96 };
+enum { EXK_KEYS_MAX = 128 };
 
 size_t exk_key_count(void);
 const exk_key *exk_key_at(size_t i);

@@ -32,6 +32,7 @@ static exk_timing_config default_timing(void)
         .dt_s = 1.0 / 1000.0,
         .seed = 1,
         .from = EXK_FROM_TWIN,
+        .answer_s = 2.0,
         .n_missed_max = 20,
         .n_bad_max = 20,
         .priority = 80,
@@ -54,6 +55,7 @@ exk_profile exk_profile_default(void)
                       .every = 1,
                       .ring_slots = 8192,
                       .status_Hz = 10.0},
+        .command = {.timeout_s = 1.0, .fresh_s = 0.5},
     };
     for (int i = 0; i < EXK_MAX_DISTURBANCES; i++) {
         profile.twin.disturbance[i] = exk_disturbance_default();

@@ -55,6 +55,7 @@ static void fill_status(exk_messages *m, bool last)
         s->fault = m->last.fault;
         s->n_overruns = m->last.n_overruns;
         s->n_bad = m->last.n_bad;
+        s->bus = m->last.bus;
         const char *reason = s->fault == EXK_OK ? "" : exk_err_name((exk_err)s->fault);
         snprintf(s->reason, sizeof s->reason, "%s", reason);
     }

@@ -42,6 +42,22 @@ static void pack_counts(exk_status_t *m, const exk_wire_status *s)
     m->step_max_ns = s->step_ns[2];
 }
 
+_Static_assert(sizeof(((exk_status_t *)0)->n_refused) ==
+                   sizeof(((exk_command_counts *)0)->n_refused),
+               "kinds of refusal on the wire");
+
+static void pack_bus(exk_status_t *m, const exk_bus_counts *bus)
+{
+    m->n_answers_lost = bus->link.n_lost;
+    m->n_answers_late = bus->link.n_late;
+    m->n_answers_repeated = bus->link.n_repeated;
+    m->n_answers_reordered = bus->link.n_reordered;
+    m->n_answers_foreign = bus->link.n_foreign;
+    m->n_commands = bus->command.n_taken;
+    memcpy(m->n_refused, bus->command.n_refused, sizeof m->n_refused);
+    m->n_bus_dropped = bus->n_dropped;
+}
+
 /* The generated struct wants char pointers that it may write; it gets copies. */
 int exk_wire_status_encode(const exk_wire_status *status, void *buffer, size_t size)
 {
@@ -52,6 +68,7 @@ int exk_wire_status_encode(const exk_wire_status *status, void *buffer, size_t s
     exk_status_t m = {.reason = reason, .rights = rights};
     pack_stamp(&m, status);
     pack_counts(&m, status);
+    pack_bus(&m, &status->bus);
     return exk_status_t_encode(buffer, 0, (int)size, &m);
 }
 
@@ -98,6 +115,18 @@ static void unpack_counts(exk_wire_status *s, const exk_status_t *m)
     s->step_ns[2] = m->step_max_ns;
 }
 
+static void unpack_bus(exk_bus_counts *bus, const exk_status_t *m)
+{
+    bus->link.n_lost = m->n_answers_lost;
+    bus->link.n_late = m->n_answers_late;
+    bus->link.n_repeated = m->n_answers_repeated;
+    bus->link.n_reordered = m->n_answers_reordered;
+    bus->link.n_foreign = m->n_answers_foreign;
+    bus->command.n_taken = m->n_commands;
+    memcpy(bus->command.n_refused, m->n_refused, sizeof m->n_refused);
+    bus->n_dropped = m->n_bus_dropped;
+}
+
 bool exk_wire_status_decode(const void *data, size_t bytes, exk_wire_status *out)
 {
     exk_status_t m = {0};
@@ -110,6 +139,7 @@ bool exk_wire_status_decode(const void *data, size_t bytes, exk_wire_status *out
         memset(out, 0, sizeof *out);
         unpack_stamp(out, &m);
         unpack_counts(out, &m);
+        unpack_bus(&out->bus, &m);
     }
     exk_status_t_decode_cleanup(&m);
     return known;

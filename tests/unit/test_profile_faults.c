@@ -65,7 +65,7 @@ static const row rows[] = {
      {{3, "[jobs]: unknown section; did you mean [job]?"},
       {7, "[Loop]: unknown section; did you mean [loop]?"},
       {8, "[zebra]: unknown section; allowed: [machine] [kinematics] [job] [disturbance.N] "
-          "[sensor] [control] [loop] [telemetry]"}}},
+          "[sensor] [control] [loop] [telemetry] [command]"}}},
     {"a disturbance of no number",
      START "[disturbance]\n[disturbance.0]\n[disturbance.9]\n[disturbance.10]\n",
      {{5, "[disturbance]: unknown section; allowed: [disturbance.1] to [disturbance.8]"},

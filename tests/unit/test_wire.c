@@ -181,6 +181,9 @@ static exk_wire_status some_status(void)
         s.lateness_ns[i] = 40 + i;
         s.step_ns[i] = 50 + i;
     }
+    s.bus.link = (exk_link_counts){60, 61, 62, 63, 64};
+    s.bus.command = (exk_command_counts){65, {70, 71, 72, 73, 74, 75, 76}};
+    s.bus.n_dropped = 80;
     memcpy(s.reason, "sensor", 7);
     memset(s.rights, 'r', sizeof s.rights - 1); /* as long as it can be */
     return s;
@@ -208,6 +211,90 @@ static void a_state_that_does_not_exist_is_refused(void)
     in.state = EXK_STATE_COUNT;
     const int bytes = exk_wire_status_encode(&in, buffer, sizeof buffer);
     TEST_ASSERT_FALSE(exk_wire_status_decode(buffer, (size_t)bytes, &out));
+}
+
+static void a_drive_survives_and_its_tick_fits_its_kind(void)
+{
+    static const struct {
+        exk_drive_kind kind;
+        int64_t k;
+        bool good;
+    } rows[] = {
+        {EXK_DRIVE_HELLO, -1, true},  {EXK_DRIVE_HELLO, 0, false},
+        {EXK_DRIVE_STEP, 0, true},    {EXK_DRIVE_STEP, -1, false},
+        {EXK_DRIVE_BYE, -2, true},    {EXK_DRIVE_BYE, 7, false},
+        {EXK_DRIVE_COUNT, -1, false}, {EXK_DRIVE_STEP, 1LL << 40, true},
+    };
+    unsigned char buffer[EXK_WIRE_DRIVE_MAX];
+    for (size_t r = 0; r < sizeof rows / sizeof rows[0]; r++) {
+        exk_wire_drive in;
+        exk_wire_drive out;
+        int i = 0;
+        memset(&in, 0, sizeof in);
+        memset(&out, 0, sizeof out);
+        in.stamp = (exk_wire_stamp){1, 2, rows[r].k, 4};
+        in.which = (exk_realisation){0xfedcba9876543210U, 0xfffffffeU, 7};
+        in.kind = rows[r].kind;
+        fill(in.drive.angle_rad, EXK_N_AXES, &i);
+        fill(in.drive.legs_m, EXK_N_LEGS, &i);
+        fill(in.drive.wrist_rad, EXK_N_WRIST, &i);
+        const int bytes = exk_wire_drive_encode(&in, buffer, sizeof buffer);
+        TEST_ASSERT_GREATER_THAN(0, bytes);
+        TEST_ASSERT_EQUAL(rows[r].good, exk_wire_drive_decode(buffer, (size_t)bytes, &out));
+        TEST_ASSERT_FALSE(exk_wire_drive_decode(buffer, (size_t)bytes - 1, &out));
+        if (rows[r].good) {
+            TEST_ASSERT_EQUAL_MEMORY(&in.drive, &out.drive, sizeof in.drive);
+            TEST_ASSERT_EQUAL_MEMORY(&in.stamp, &out.stamp, sizeof in.stamp);
+            TEST_ASSERT_EQUAL_MEMORY(&in.which, &out.which, sizeof in.which);
+        }
+    }
+}
+
+static void an_answer_survives_bit_for_bit(void)
+{
+    unsigned char buffer[EXK_WIRE_SENSOR_MAX];
+    exk_wire_sensor in;
+    exk_wire_sensor out;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in.stamp = (exk_wire_stamp){1, 2, -1, 4};
+    in.drive_seq = 5;
+    in.machine_id = 6;
+    in.has_true = true;
+    for (int i = 0; i < 8; i++) {
+        int at = i;
+        fill(in.measured_rad, EXK_N_AXES, &at);
+        fill(in.true_rad, EXK_N_AXES, &at);
+        const int bytes = exk_wire_sensor_encode(&in, buffer, sizeof buffer);
+        TEST_ASSERT_TRUE(exk_wire_sensor_decode(buffer, (size_t)bytes, &out));
+        TEST_ASSERT_EQUAL_MEMORY(&in, &out, sizeof in);
+        TEST_ASSERT_FALSE(exk_wire_sensor_decode(buffer, (size_t)bytes - 1, &out));
+    }
+    in.stamp.k = -2;
+    const int bytes = exk_wire_sensor_encode(&in, buffer, sizeof buffer);
+    TEST_ASSERT_FALSE(exk_wire_sensor_decode(buffer, (size_t)bytes, &out));
+}
+
+static void a_command_survives(void)
+{
+    unsigned char buffer[EXK_WIRE_COMMAND_MAX];
+    exk_wire_command in;
+    exk_wire_command out;
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    in = (exk_wire_command){.run_id = -1, .seq = 2, .utime_us = INT64_MAX, .command = -128};
+    for (int i = 0; i < EXK_MAC_BYTES; i++) {
+        in.mac[i] = (unsigned char)(255 - i);
+    }
+    const int bytes = exk_wire_command_encode(&in, buffer, sizeof buffer);
+    TEST_ASSERT_GREATER_THAN(0, bytes);
+    TEST_ASSERT_TRUE(exk_wire_command_decode(buffer, (size_t)bytes, &out));
+    TEST_ASSERT_EQUAL_INT64(in.utime_us, out.utime_us);
+    TEST_ASSERT_EQUAL_INT8(in.command, out.command);
+    TEST_ASSERT_EQUAL_MEMORY(in.mac, out.mac, sizeof in.mac);
+    for (size_t n = 0; n < (size_t)bytes; n++) {
+        TEST_ASSERT_FALSE(exk_wire_command_decode(buffer, n, &out));
+    }
 }
 
 typedef struct {
@@ -330,6 +417,9 @@ int main(void)
     RUN_TEST(a_hole_survives);
     RUN_TEST(a_status_survives);
     RUN_TEST(a_state_that_does_not_exist_is_refused);
+    RUN_TEST(a_drive_survives_and_its_tick_fits_its_kind);
+    RUN_TEST(an_answer_survives_bit_for_bit);
+    RUN_TEST(a_command_survives);
     RUN_TEST(a_job_survives_with_and_without_holes);
     RUN_TEST(a_job_cut_anywhere_is_refused);
     RUN_TEST(a_job_that_lies_about_its_lengths_is_refused);

@@ -1,0 +1,39 @@
+#include <string.h>
+
+#include "exk/wire.h"
+#include "exk_sensor_t.h"
+
+int exk_wire_sensor_encode(const exk_wire_sensor *sensor, void *buffer, size_t size)
+{
+    exk_sensor_t m = {
+        .run_id = sensor->stamp.run_id,
+        .seq = sensor->stamp.seq,
+        .k = sensor->stamp.k,
+        .time_us = sensor->stamp.time_us,
+        .drive_seq = sensor->drive_seq,
+        .machine_id = sensor->machine_id,
+        .has_true = sensor->has_true,
+    };
+    memcpy(m.measured_rad, sensor->measured_rad, sizeof m.measured_rad);
+    memcpy(m.true_rad, sensor->true_rad, sizeof m.true_rad);
+    return exk_sensor_t_encode(buffer, 0, (int)size, &m);
+}
+
+/* No part of variable length: one length is right and all others are wrong. */
+bool exk_wire_sensor_decode(const void *data, size_t bytes, exk_wire_sensor *out)
+{
+    exk_sensor_t m;
+    if (bytes > EXK_WIRE_SENSOR_MAX ||
+        exk_sensor_t_decode(data, 0, (int)bytes, &m) != (int)bytes || m.k < -1 || m.seq < 0) {
+        return false;
+    }
+    *out = (exk_wire_sensor){
+        .stamp = {m.run_id, m.seq, m.k, m.time_us},
+        .drive_seq = m.drive_seq,
+        .machine_id = m.machine_id,
+        .has_true = m.has_true != 0,
+    };
+    memcpy(out->measured_rad, m.measured_rad, sizeof m.measured_rad);
+    memcpy(out->true_rad, m.true_rad, sizeof m.true_rad);
+    return true;
+}
