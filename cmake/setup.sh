@@ -56,10 +56,16 @@ show_time() {
     printf '\r' >&2
 }
 
+# What failed tests said, or the last lines of another log.
 show_failure() {
-    note "--- the last lines of ${2#"$exk_root"/}:"
-    tail -n 25 "$2" >&2
-    note "--- $1 failed; the whole log is ${2#"$exk_root"/}"
+    note "--- from ${2#"$exk_root"/}, which has the whole of it:"
+    if grep -q '\*\*\*' "$2"; then
+        awk '/Test +#/ {on = /\*\*\*/ && !/Skipped/} / Start / || /tests passed/ {on = 0} on' "$2" |
+            head -n 80 >&2
+    else
+        tail -n 25 "$2" >&2
+    fi
+    note "---"
 }
 
 # step LABEL COMMAND...: one line with the time it took; exk_log is where its output went.

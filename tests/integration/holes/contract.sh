@@ -40,7 +40,7 @@ cmp out rough.csv || fail "--csv - and --csv FILE differ"
 
 # no colour into a file; on a terminal colour, unless NO_COLOR
 grep -q "$(printf '\033')" rough.table && fail "colour in a file"
-if command -v script >/dev/null; then
+if script -qec true /dev/null >script.log 2>&1; then
     TERM=xterm script -qec "$holes rough.lcm" /dev/null </dev/null >tty
     grep -q "$(printf '\033')" tty || fail "no colour on a terminal"
     NO_COLOR=1 TERM=xterm script -qec "$holes rough.lcm" /dev/null </dev/null >tty
