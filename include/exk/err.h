@@ -18,6 +18,7 @@ typedef enum {
     EXK_ERR_END,         /* a source has no further samples */
     EXK_ERR_OVERRUN,     /* too many deadlines missed in a row */
     EXK_ERR_SILENT,      /* the machine does not answer */
+    EXK_ERR_ABORT,       /* a command asked to stop at once */
     EXK_ERR_COUNT
 } exk_err;
 

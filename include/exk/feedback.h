@@ -32,6 +32,10 @@ void exk_feedback_reset(exk_feedback *fb);
 void exk_feedback_step(exk_feedback *fb, const double error_rad[EXK_N_AXES],
                        double correction_rad[EXK_N_AXES]);
 
+/** After samples that were missed: the next step sees no jump of the error since the last one, so that
+ *  a derivative does not kick. Everything else goes on as it was. */
+void exk_feedback_rejoin(exk_feedback *fb, const double error_rad[EXK_N_AXES]);
+
 const char *exk_feedback_name(exk_feedback_kind kind); /* never NULL */
 
 #endif

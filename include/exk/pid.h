@@ -57,6 +57,10 @@ void exk_pid_reset(exk_pid *pid);
  *  change nothing. */
 void exk_pid_preset(exk_pid *pid, double output_rad, double error_rad);
 
+/** After a gap: the next step takes error_rad for the error before it, so that the derivative sees no
+ *  jump; integral and output stay. Numbers that are not finite change nothing. */
+void exk_pid_rejoin(exk_pid *pid, double error_rad);
+
 /** c[k+1] from e[k]. */
 double exk_pid_step(exk_pid *pid, double error_rad);
 

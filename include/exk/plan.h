@@ -92,6 +92,22 @@ exk_err exk_plan_init(exk_plan *plan, const exk_plan_config *cfg, const exk_hole
 /** Reference at tick k; before 0 the first sample is held, past the end the last. Cannot fail. */
 void exk_plan_at(const exk_plan *plan, int64_t k, exk_ref *out);
 
+/** Between tick k and the next, fraction in [0, 1) of the way: for a plan that is slowed down. A
+ *  fraction of 0 is tick k itself, bit for bit; else no sample is judged. */
+void exk_plan_between(const exk_plan *plan, int64_t k, double fraction, exk_ref *out);
+
+/** Tool at step 1 .. n_ticks of a segment; its end from there on. */
+void exk_segment_at(const exk_segment *segment, int64_t step, exk_tool *out);
+
+/** The way from where the tool is at tick k straight back to the clearance of its hole, at retract feed
+ *  and acceleration; out->n_ticks is 0 while travelling, or when it is there already.
+ *  EXK_ERR_ARG when it takes more ticks than a phase may. */
+exk_err exk_plan_retract(const exk_plan *plan, int64_t k, exk_segment *out);
+
+/** The tick after which the plan goes on once that way was gone: the hole is begun anew, or left when it
+ *  was being retracted from. While travelling: k. -1: the plan begins anew. */
+int64_t exk_plan_resume(const exk_plan *plan, int64_t k);
+
 const char *exk_phase_name(exk_phase phase); /* never NULL */
 
 #endif

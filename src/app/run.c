@@ -67,7 +67,7 @@ static bool step_and_push(run *r, int64_t k)
     exk_loop *loop = &r->rig->loop;
     const int64_t last = r->rig->plan.n_ticks - 1;
     exk_loop_step(loop, k, &r->record.sample);
-    if (loop->state == EXK_STATE_FAULT && r->k_fault < 0) {
+    if (loop->sm.state == EXK_STATE_FAULT && r->k_fault < 0) {
         r->k_fault = k;
     }
     const double held_s = (double)(k - r->k_fault) * r->rig->plan.cfg.dt_s;
@@ -75,8 +75,8 @@ static bool step_and_push(run *r, int64_t k)
     const bool stopped = stop_signal != 0 || k >= last || held;
     r->record.n_bad = loop->n_bad;
     r->record.fault = (int32_t)loop->fault;
-    r->record.state = (int32_t)loop->state;
-    if (stopped && loop->state != EXK_STATE_FAULT) {
+    r->record.state = (int32_t)loop->sm.state;
+    if (stopped && loop->sm.state != EXK_STATE_FAULT) {
         r->record.state = EXK_STATE_DONE;
     }
     exk_publisher_push(r->publisher, &r->record);
@@ -98,7 +98,9 @@ static bool paced_step(run *r)
     int64_t k = exk_pacer_next(&r->pacer);
     const int64_t begin_ns = now_ns();
     if (r->pacer.n_missed_row >= rig->profile.timing.n_missed_max) {
-        exk_loop_fail(&r->rig->loop, EXK_ERR_OVERRUN);
+        const exk_fault_report report = {
+            .cause = EXK_CAUSE_OVERRUN, .err = EXK_ERR_OVERRUN, .k = k};
+        exk_loop_fail(&r->rig->loop, &report);
     }
     k = k < rig->plan.n_ticks ? k : rig->plan.n_ticks - 1;
     r->record.lateness_ns = r->pacer.lateness_ns;

@@ -14,6 +14,7 @@ static const char *const names[EXK_ERR_COUNT] = {
     [EXK_ERR_END] = "end of data",
     [EXK_ERR_OVERRUN] = "deadlines missed",
     [EXK_ERR_SILENT] = "no answer from the machine",
+    [EXK_ERR_ABORT] = "aborted",
 };
 
 const char *exk_err_name(exk_err err)

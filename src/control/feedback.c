@@ -37,6 +37,13 @@ void exk_feedback_step(exk_feedback *fb, const double error_rad[EXK_N_AXES],
     }
 }
 
+void exk_feedback_rejoin(exk_feedback *fb, const double error_rad[EXK_N_AXES])
+{
+    for (int i = 0; i < EXK_N_AXES; i++) {
+        exk_pid_rejoin(&fb->pid[i], error_rad[i]);
+    }
+}
+
 const char *exk_feedback_name(exk_feedback_kind kind)
 {
     static const char *const names[EXK_FEEDBACK_COUNT] = {

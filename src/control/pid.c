@@ -99,6 +99,13 @@ void exk_pid_preset(exk_pid *pid, double output_rad, double error_rad)
     pid->has_last = true;
 }
 
+void exk_pid_rejoin(exk_pid *pid, double error_rad)
+{
+    if (isfinite(error_rad)) {
+        pid->last_error_rad = error_rad;
+    }
+}
+
 static double next_derivative(const exk_pid *pid, double error_rad)
 {
     const double step = pid->has_last ? error_rad - pid->last_error_rad : 0.0;

@@ -2,14 +2,15 @@
 
 #include <math.h>
 
-#include "exk/ilc.h"
+#include "step.h"
 
 static exk_err check(const exk_loop_config *cfg)
 {
     if (cfg->kin == NULL || cfg->plan == NULL || cfg->source.exchange == NULL) {
         return EXK_ERR_ARG;
     }
-    if (!(cfg->angle_max_rad > 0.0) || !isfinite(cfg->angle_max_rad) || cfg->n_bad_max < 1) {
+    if (!(cfg->angle_max_rad > 0.0) || !isfinite(cfg->angle_max_rad) || cfg->n_bad_max < 1 ||
+        !(cfg->wait_s >= 0.0)) {
         return EXK_ERR_ARG;
     }
     const bool stored = cfg->u_rad[EXK_ALPHA] != NULL;
@@ -19,11 +20,25 @@ static exk_err check(const exk_loop_config *cfg)
     return EXK_OK;
 }
 
+static exk_err init_guard(exk_loop *loop, const exk_loop_config *cfg)
+{
+    exk_guard_config guard = cfg->guard.dt_s > 0.0 ? cfg->guard : exk_guard_default();
+    exk_limits_config limits = cfg->limits.dt_s > 0.0 ? cfg->limits : exk_limits_default();
+    guard.dt_s = cfg->plan->cfg.dt_s;
+    guard.angle_max_rad = cfg->angle_max_rad;
+    limits.dt_s = cfg->plan->cfg.dt_s;
+    const exk_err err = exk_guard_init(&loop->guard, &guard);
+    return err != EXK_OK ? err : exk_limits_init(&loop->limits, &limits);
+}
+
 exk_err exk_loop_init(exk_loop *loop, const exk_loop_config *cfg)
 {
     exk_err err = check(cfg);
     if (err == EXK_OK) {
         err = exk_feedback_init(&loop->feedback, &cfg->feedback);
+    }
+    if (err == EXK_OK) {
+        err = init_guard(loop, cfg);
     }
     if (err != EXK_OK) {
         return err;
@@ -33,195 +48,227 @@ exk_err exk_loop_init(exk_loop *loop, const exk_loop_config *cfg)
     return EXK_OK;
 }
 
+static void reset_counts(exk_loop *loop)
+{
+    loop->n_bad_row = 0;
+    loop->n_bad = 0;
+    for (int i = 0; i < EXK_SAMPLE_COUNT; i++) {
+        loop->guard.n[i] = 0;
+    }
+}
+
 void exk_loop_reset(exk_loop *loop)
 {
     exk_feedback_reset(&loop->feedback);
+    exk_guard_reset(&loop->guard);
+    exk_limits_reset(&loop->limits);
+    exk_motion_init(&loop->motion);
+    reset_counts(loop);
     for (int i = 0; i < EXK_N_AXES; i++) {
         loop->c_rad[i] = 0.0;
         loop->m_rad[i] = 0.0;
     }
     loop->has_m = false;
-    loop->n_bad_row = 0;
-    loop->n_bad = 0;
-    loop->state = EXK_STATE_IDLE;
     loop->fault = EXK_OK;
+    loop->report = (exk_fault_report){.k = -1, .hole_id = -1};
     loop->last = (exk_sample){.hole = -1, .hole_id = -1};
     loop->open = loop->last;
-}
-
-void exk_loop_fail(exk_loop *loop, exk_err why)
-{
-    if (loop->state != EXK_STATE_FAULT) {
-        loop->state = EXK_STATE_FAULT;
-        loop->fault = why;
+    loop->open.k = -1;
+    loop->is_open = false;
+    if (loop->cfg.capture != NULL) {
+        exk_capture_reset(loop->cfg.capture);
     }
+    exk_state_init(&loop->sm);
+    exk_state_take(&loop->sm, EXK_CAUSE_READY, -1);
 }
 
-static int64_t tick_time_us(const exk_loop *loop, int64_t k)
+/* After rejected samples the way out of the part is safe; after all else the loop stays. */
+static void begin_fault(exk_loop *loop, const exk_fault_report *report)
 {
-    return llround((double)k * loop->cfg.plan->cfg.dt_s * 1e6);
-}
-
-/* plan and inverse: p_ref[k], r[k] = IK(p_ref[k]) */
-static exk_err refer(const exk_loop *loop, int64_t k, exk_sample *out, exk_joints *r)
-{
-    exk_ref ref;
-    exk_plan_at(loop->cfg.plan, k, &ref);
-    out->k = k;
-    out->time_us = tick_time_us(loop, k);
-    out->phase = ref.phase;
-    out->hole = ref.hole;
-    out->hole_id = ref.hole >= 0 ? loop->cfg.plan->holes[ref.hole].id : -1;
-    out->judged = ref.judged;
-    out->ref = ref.tool;
-    return exk_kin_inverse(loop->cfg.kin, &ref.tool, r);
-}
-
-/* command: q[k] = r[k] + c[k] + u[k]; legs from (q, h of r), wrist from r */
-static exk_err command(const exk_loop *loop, const exk_joints *r, exk_sample *out)
-{
-    const exk_loop_config *cfg = &loop->cfg;
-    exk_joints q = *r;
-    for (int i = 0; i < EXK_N_AXES; i++) {
-        out->r_rad[i] = r->angle_rad[i];
-        out->c_rad[i] = loop->c_rad[i];
-        out->u_rad[i] = cfg->u_rad[i] ? exk_ilc_at(cfg->u_rad[i], cfg->n_u, out->k) : 0.0;
-        out->q_rad[i] = out->r_rad[i] + out->c_rad[i] + out->u_rad[i];
-        q.angle_rad[i] = out->q_rad[i];
-        out->wrist_rad[i] = r->wrist_rad[i];
-    }
-    out->h_m = r->h_m;
-    return exk_kin_legs(cfg->kin, &q, out->legs_m);
-}
-
-static void fill_drive(const exk_sample *out, exk_drive *drive)
-{
-    for (int i = 0; i < EXK_N_AXES; i++) {
-        drive->angle_rad[i] = out->q_rad[i];
-        drive->wrist_rad[i] = out->wrist_rad[i];
-    }
-    for (int i = 0; i < EXK_N_LEGS; i++) {
-        drive->legs_m[i] = out->legs_m[i];
-    }
-}
-
-/* Written so that NaN fails. */
-static bool acceptable(const exk_loop *loop, const exk_reading *reading)
-{
-    const double limit_rad = loop->cfg.angle_max_rad;
-    return reading->fresh && fabs(reading->measured_rad[EXK_ALPHA]) <= limit_rad &&
-           fabs(reading->measured_rad[EXK_BETA]) <= limit_rad;
-}
-
-/* error and feedback: e[k] = r[k] - m[k], c[k+1] = feedback(e[k]); a bad sample changes nothing */
-static exk_err correct(exk_loop *loop, const exk_reading *reading, exk_sample *out)
-{
-    out->sensor_ok = acceptable(loop, reading);
-    if (out->sensor_ok) {
-        double error_rad[EXK_N_AXES];
-        for (int i = 0; i < EXK_N_AXES; i++) {
-            loop->m_rad[i] = reading->measured_rad[i];
-            error_rad[i] = out->r_rad[i] - loop->m_rad[i];
-        }
-        loop->has_m = true;
-        loop->n_bad_row = 0;
-        exk_feedback_step(&loop->feedback, error_rad, loop->c_rad);
+    loop->fault = report->err;
+    loop->report = *report;
+    if (report->cause == EXK_CAUSE_SENSOR) {
+        exk_motion_settle(&loop->motion, loop->cfg.plan);
     } else {
-        loop->n_bad++;
-        loop->n_bad_row++;
+        exk_motion_freeze(&loop->motion);
     }
-    for (int i = 0; i < EXK_N_AXES; i++) {
-        out->m_rad[i] = loop->has_m ? loop->m_rad[i] : out->r_rad[i];
-    }
-    return loop->n_bad_row >= loop->cfg.n_bad_max ? EXK_ERR_SENSOR : EXK_OK;
 }
 
-static exk_err tip(const exk_loop *loop, const exk_joints *r, const double angle_rad[],
-                   exk_tool *out)
+void exk_loop_fail(exk_loop *loop, const exk_fault_report *report)
 {
-    exk_joints joints = *r;
-    joints.angle_rad[EXK_ALPHA] = angle_rad[EXK_ALPHA];
-    joints.angle_rad[EXK_BETA] = angle_rad[EXK_BETA];
-    return exk_kin_forward(loop->cfg.kin, &joints, out);
+    if (loop->fault == EXK_OK && exk_state_take(&loop->sm, report->cause, report->k)) {
+        begin_fault(loop, report);
+    }
 }
 
-/* forward: p_est[k] = FK(m[k]); p_true[k] = FK(theta[k]) where theta is known and finite */
-static exk_err forward(const exk_loop *loop, const exk_joints *r, const exk_reading *reading,
-                       exk_sample *out)
+static void abort_run(exk_loop *loop, int64_t k)
 {
-    out->has_true = reading->has_true;
-    for (int i = 0; i < EXK_N_AXES; i++) {
-        out->theta_rad[i] = reading->has_true ? reading->true_rad[i] : 0.0;
-    }
-    if (out->has_true && tip(loop, r, out->theta_rad, &out->real) != EXK_OK) {
-        out->has_true = false;
-    }
-    if (out->has_true && out->m_rad[EXK_ALPHA] == out->theta_rad[EXK_ALPHA] &&
-        out->m_rad[EXK_BETA] == out->theta_rad[EXK_BETA]) {
-        out->est = out->real; /* the same angles give the same bits */
-        return EXK_OK;
-    }
-    return tip(loop, r, out->m_rad, &out->est);
+    const exk_fault_report report = {.cause = EXK_CAUSE_ABORT,
+                                     .err = EXK_ERR_ABORT,
+                                     .k = k,
+                                     .phase = loop->last.phase,
+                                     .hole_id = loop->last.hole_id};
+    begin_fault(loop, &report);
 }
 
-static exk_err hold(const exk_loop *loop, int64_t k, exk_sample *out)
+/* What was known of the machine before the fault is not known any more; the command stands. */
+static void forget_fault(exk_loop *loop)
 {
+    loop->fault = EXK_OK;
+    loop->report = (exk_fault_report){.k = -1, .hole_id = -1};
+    loop->n_bad_row = 0;
+    exk_guard_reset(&loop->guard);
+    if (loop->cfg.capture != NULL) {
+        exk_capture_reset(loop->cfg.capture);
+    }
+}
+
+bool exk_loop_request(exk_loop *loop, exk_cause cause, int64_t k)
+{
+    const bool asked_for =
+        (cause >= EXK_CAUSE_START && cause <= EXK_CAUSE_QUIT) || cause == EXK_CAUSE_TIMEOUT;
+    const bool too_early = cause == EXK_CAUSE_CLEAR && !exk_motion_is_over(&loop->motion);
+    if (!asked_for || too_early) {
+        loop->sm.n_refused++;
+        return false;
+    }
+    if (cause == EXK_CAUSE_ABORT) {
+        const int64_t n = loop->sm.n_taken;
+        abort_run(loop, k);
+        loop->sm.n_refused += loop->sm.n_taken == n && (loop->sm.state == EXK_STATE_FAULT ||
+                                                        loop->sm.state == EXK_STATE_DONE);
+        return loop->sm.n_taken > n;
+    }
+    const bool taken = exk_state_take(&loop->sm, cause, k);
+    if (taken && cause == EXK_CAUSE_CLEAR) {
+        forget_fault(loop);
+    }
+    return taken;
+}
+
+int64_t exk_loop_last_tick(const exk_loop *loop)
+{
+    return loop->cfg.plan->n_ticks - 1 + exk_motion_held(&loop->motion);
+}
+
+bool exk_loop_is_over(const exk_loop *loop)
+{
+    const exk_state state = loop->sm.state;
+    return state == EXK_STATE_DONE ||
+           (state == EXK_STATE_FAULT && exk_motion_is_over(&loop->motion));
+}
+
+bool exk_loop_moves(const exk_loop *loop)
+{
+    return loop->is_open;
+}
+
+/* The last command stands: nothing is sent, and no time passes for the plan. */
+static exk_err hold(exk_loop *loop, int64_t k, exk_sample *out)
+{
+    loop->motion.k = k;
+    exk_limits_stand(&loop->limits, k);
     *out = loop->last;
     out->k = k;
-    out->time_us = tick_time_us(loop, k);
+    out->time_us = exk_step_time_us(loop, k);
     out->judged = false;
     out->sensor_ok = false;
     return loop->fault;
 }
 
+static void fail_step(exk_loop *loop, exk_cause cause, exk_err err, const exk_violation *what)
+{
+    const exk_fault_report report = {.cause = cause,
+                                     .err = err,
+                                     .what = *what,
+                                     .k = loop->open.k,
+                                     .phase = loop->open.phase,
+                                     .hole_id = loop->open.hole_id};
+    loop->is_open = false;
+    exk_loop_fail(loop, &report);
+    exk_motion_freeze(&loop->motion); /* on the way out as well */
+}
+
 exk_err exk_loop_command(exk_loop *loop, int64_t k, exk_drive *drive)
 {
-    loop->open = (exk_sample){.hole = -1, .k = k};
-    if (loop->state == EXK_STATE_FAULT) {
+    exk_violation what = {EXK_QUANTITY_NONE, 0, 0.0, 0.0};
+    loop->is_open = false;
+    loop->open.k = -1;
+    if (k <= loop->motion.k) {
+        return EXK_ERR_ARG;
+    }
+    loop->open.k = k;
+    if (loop->sm.state == EXK_STATE_IDLE && !loop->cfg.waits) {
+        exk_state_take(&loop->sm, EXK_CAUSE_START, k);
+    }
+    const bool at_rest = loop->fault != EXK_OK && exk_motion_is_over(&loop->motion);
+    if (loop->sm.state == EXK_STATE_IDLE || at_rest) {
         return loop->fault;
     }
-    exk_err err = refer(loop, k, &loop->open, &loop->open_r);
-    if (err == EXK_OK) {
-        err = command(loop, &loop->open_r, &loop->open);
-    }
+    loop->open = (exk_sample){.hole = -1, .hole_id = -1, .k = k};
+    const exk_err err = exk_step_command(loop, &what);
     if (err != EXK_OK) {
-        exk_loop_fail(loop, err);
-        return err;
+        fail_step(loop, EXK_CAUSE_LIMIT, err, &what);
+        return loop->fault;
     }
-    fill_drive(&loop->open, drive);
+    exk_step_drive(&loop->open, drive);
+    loop->is_open = true;
     return EXK_OK;
+}
+
+static void keep(exk_loop *loop, const exk_sample *out)
+{
+    exk_capture *capture = loop->cfg.capture;
+    loop->last = *out;
+    if (capture != NULL) {
+        exk_capture_push(capture, out);
+        if (loop->sm.state == EXK_STATE_FAULT) {
+            exk_capture_freeze(capture);
+        }
+    }
 }
 
 exk_err exk_loop_measure(exk_loop *loop, const exk_reading *reading, exk_sample *out)
 {
-    *out = loop->open;
-    if (loop->state == EXK_STATE_FAULT) {
-        return hold(loop, out->k, out);
+    exk_violation what = {EXK_QUANTITY_POSE, 0, 0.0, 0.0};
+    const int64_t k = loop->open.k;
+    if (k < 0) {
+        *out = loop->last;
+        return EXK_ERR_ARG;
     }
-    exk_err err = correct(loop, reading, out);
-    if (err == EXK_OK) {
-        err = forward(loop, &loop->open_r, reading, out);
+    loop->open.k = -1;
+    if (!loop->is_open) {
+        return hold(loop, k, out);
     }
+    loop->open.k = k;
+    loop->is_open = false;
+    exk_step_correct(loop, reading);
+    const exk_err err = exk_step_forward(loop, reading);
     if (err != EXK_OK) {
-        exk_loop_fail(loop, err);
-        return hold(loop, out->k, out);
+        fail_step(loop, EXK_CAUSE_LIMIT, err, &what);
+        return hold(loop, k, out);
     }
-    loop->last = *out;
-    loop->state = out->k + 1 < loop->cfg.plan->n_ticks ? EXK_STATE_RUN : EXK_STATE_DONE;
-    return EXK_OK;
+    *out = loop->open;
+    loop->open.k = -1;
+    keep(loop, out);
+    if (loop->sm.state == EXK_STATE_RUN && loop->motion.j + 1 >= loop->cfg.plan->n_ticks) {
+        exk_state_take(&loop->sm, EXK_CAUSE_END, k);
+    }
+    return loop->fault;
 }
 
 exk_err exk_loop_step(exk_loop *loop, int64_t k, exk_sample *out)
 {
     const exk_source *source = &loop->cfg.source;
+    const exk_violation nothing = {EXK_QUANTITY_NONE, 0, 0.0, 0.0};
     exk_drive drive;
     exk_reading reading = {.fresh = false};
-    exk_err err = exk_loop_command(loop, k, &drive);
-    if (err == EXK_OK) {
-        err = source->exchange(source->ctx, k, &drive, &reading);
-    }
-    if (err != EXK_OK) {
-        exk_loop_fail(loop, err);
+    exk_loop_command(loop, k, &drive);
+    if (loop->is_open) {
+        const exk_err err = source->exchange(source->ctx, k, &drive, &reading);
+        if (err != EXK_OK) {
+            fail_step(loop, EXK_CAUSE_SOURCE, err, &nothing);
+        }
     }
     return exk_loop_measure(loop, &reading, out);
 }

@@ -203,77 +203,20 @@ exk_err exk_plan_init(exk_plan *plan, const exk_plan_config *cfg, const exk_hole
     return b.err;
 }
 
-/* The segment that holds tick k, 0 <= k < n_ticks. */
-static const exk_segment *find_segment(const exk_plan *plan, int64_t k)
+/* Where the tool is at tick k: its hole and how deep it is. */
+exk_err exk_plan_retract(const exk_plan *plan, int64_t k, exk_segment *out)
 {
-    const exk_segment *base = plan->segments;
-    for (size_t n = plan->n_segments; n > 1;) {
-        const size_t half = n / 2;
-        base += base[half].k_begin <= k ? half : 0;
-        n -= half;
+    builder b = {.cfg = &plan->cfg, .segments = out};
+    exk_ref ref;
+    exk_plan_at(plan, k, &ref);
+    *out = (exk_segment){.phase = EXK_PHASE_RETRACT, .hole = ref.hole};
+    out->from = ref.tool;
+    out->to = ref.tool;
+    if (ref.phase == EXK_PHASE_TRAVEL) {
+        return EXK_OK;
     }
-    return base;
-}
-
-/* Way done at the fraction t of the time: speed rises for the fraction r, holds, falls for r. */
-static double trapezoid(double t, double r)
-{
-    const double peak = 1.0 / (1.0 - r);
-    if (t < r) {
-        return peak * t * t / (2.0 * r);
-    }
-    if (t > 1.0 - r) {
-        return 1.0 - peak * (1.0 - t) * (1.0 - t) / (2.0 * r);
-    }
-    return peak * (t - 0.5 * r);
-}
-
-static void blend3(const double a[3], const double b[3], double s, double out[3])
-{
-    for (int i = 0; i < 3; i++) {
-        out[i] = a[i] + s * (b[i] - a[i]);
-    }
-}
-
-static void move_along(const exk_segment *segment, double s, exk_tool *out)
-{
-    blend3(segment->from.tip_m, segment->to.tip_m, s, out->tip_m);
-    if (!segment->turns) {
-        exk_copy3(segment->to.axis, out->axis);
-        return;
-    }
-    double axis[3];
-    blend3(segment->from.axis, segment->to.axis, s, axis);
-    const double scale = 1.0 / exk_norm3(axis);
-    for (int i = 0; i < 3; i++) {
-        out->axis[i] = scale * axis[i];
-    }
-}
-
-void exk_plan_at(const exk_plan *plan, int64_t k, exk_ref *out)
-{
-    const int64_t last = plan->n_ticks - 1;
-    const int64_t held = k < 0 ? 0 : (k > last ? last : k);
-    const exk_segment *segment = find_segment(plan, held);
-    const int64_t step = held - segment->k_begin + 1; /* 1 .. n_ticks: the end is sampled */
-    const bool ends = step == segment->n_ticks;
-    out->phase = segment->phase;
-    out->hole = segment->hole;
-    out->judged = ends && segment->phase == EXK_PHASE_DWELL && k == held;
-    if (ends || segment->phase == EXK_PHASE_DWELL) {
-        out->tool = segment->to;
-    } else {
-        move_along(segment, trapezoid((double)step / (double)segment->n_ticks, segment->ramp),
-                   &out->tool);
-    }
-}
-
-const char *exk_phase_name(exk_phase phase)
-{
-    static const char *const names[EXK_PHASE_COUNT] = {
-        [EXK_PHASE_TRAVEL] = "travel",   [EXK_PHASE_APPROACH] = "approach",
-        [EXK_PHASE_DWELL] = "dwell",     [EXK_PHASE_DRILL] = "drill",
-        [EXK_PHASE_RETRACT] = "retract",
-    };
-    return (unsigned)phase < EXK_PHASE_COUNT ? names[phase] : "unknown";
+    exk_segment way = *out;
+    way.to = tool_at(&plan->holes[ref.hole], -plan->cfg.clearance_m);
+    append_move(&b, way, plan->cfg.retract_mps);
+    return b.err;
 }

@@ -121,6 +121,7 @@ void exk_twin_step(exk_twin *twin, int64_t k, const double q_rad[EXK_N_AXES], ex
     }
     out->has_true = true;
     out->fresh = true;
+    out->age = 0;
 }
 
 static exk_err exchange(void *ctx, int64_t k, const exk_drive *drive, exk_reading *out)
