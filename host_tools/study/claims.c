@@ -42,6 +42,11 @@ const study_claim *study_claims(size_t *n)
     return claims;
 }
 
+bool study_was_run(const study_claim *claim, const study_tally *tallies)
+{
+    return tallies[claim->of_mean].moments.n > 0;
+}
+
 study_verdict study_judge(const study_claim *claim, const study_tally *tallies)
 {
     const study_tally *mean = &tallies[claim->of_mean];

@@ -40,6 +40,9 @@ typedef struct {
 /** All claims, S5 to S11; *n receives how many. */
 const study_claim *study_claims(size_t *n);
 
+/** False where its experiment was left out. */
+bool study_was_run(const study_claim *claim, const study_tally *tallies);
+
 study_verdict study_judge(const study_claim *claim, const study_tally *tallies);
 
 const char *study_role_name(study_role role);

@@ -122,7 +122,8 @@ static int calibrate(const study_options *options, study_paper *paper)
 int study_do_calibrate(const study_options *options)
 {
     study_paper *paper = calloc(1, sizeof *paper);
-    int code = paper == NULL ? STUDY_IO : study_paper_init(paper, options->profiles);
+    int code =
+        paper == NULL ? STUDY_IO : study_paper_init(paper, options->profiles, STUDY_ALL_PARTS);
     if (code == STUDY_GOOD) {
         code = calibrate(options, paper);
     }

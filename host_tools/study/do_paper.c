@@ -46,7 +46,9 @@ static int run_and_show(const study_options *options, study_paper *paper)
     study_work work = study_work_of(options, n);
     snprintf(keep, sizeof keep, "%s.parts",
              options->json != NULL && options->json[0] != '-' ? options->json : "exk-study");
-    snprintf(next, sizeof next, "exk-study paper --seeds %llu", (unsigned long long)n);
+    snprintf(next, sizeof next, "exk-study paper --seeds %llu%s%s", (unsigned long long)n,
+             options->only != NULL ? " --only " : "",
+             options->only != NULL ? options->only : "");
     work.keep = study_mpi_size() > 1 ? NULL : keep;
     work.how_next = next;
     int code = study_sums_open(&totals, paper->measures, STUDY_N_PAPER);
@@ -86,7 +88,8 @@ static int with_paper(const study_options *options,
                       int (*act)(const study_options *, study_paper *))
 {
     study_paper *paper = calloc(1, sizeof *paper);
-    int code = paper == NULL ? STUDY_IO : study_paper_init(paper, options->profiles);
+    int code = paper == NULL ? STUDY_IO
+                             : study_paper_init(paper, options->profiles, options->parts_run);
     if (code == STUDY_GOOD) {
         code = act(options, paper);
     }

@@ -80,7 +80,7 @@ static json_t *verdicts_json(const study_tally *tallies, int *n_inside, int *n_j
     *n_inside = 0;
     *n_judged = 0;
     for (size_t i = 0; i < n; i++) {
-        if (claims[i].role != STUDY_REFERENCE && tallies[claims[i].of_mean].moments.n > 0) {
+        if (claims[i].role != STUDY_REFERENCE && study_was_run(&claims[i], tallies)) {
             const study_verdict v = study_judge(&claims[i], tallies);
             json_object_set_new(list, claims[i].id,
                                 json_pack("{s:[f,f], s:b}", "prediction95", v.prediction95.low,
@@ -176,7 +176,8 @@ static int run_rows(const study_options *options, study_paper *paper)
 int study_do_sensitivity(const study_options *options)
 {
     study_paper *paper = calloc(1, sizeof *paper);
-    int code = paper == NULL ? STUDY_IO : study_paper_init(paper, options->profiles);
+    int code =
+        paper == NULL ? STUDY_IO : study_paper_init(paper, options->profiles, STUDY_ALL_PARTS);
     if (code == STUDY_GOOD) {
         code = run_rows(options, paper);
     }

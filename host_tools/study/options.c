@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "exk/version.h"
+#include "experiments.h"
 #include "study_tool.h"
 
 enum {
@@ -17,7 +18,8 @@ enum {
     KEY_FROM,
     KEY_TO,
     KEY_PROFILES,
-    KEY_WRITE
+    KEY_WRITE,
+    KEY_ONLY
 };
 
 static const char doc[] =
@@ -56,6 +58,7 @@ static const struct argp_option options[] = {
     {"report", KEY_REPORT, "FILE", 0, "paper, merge: one HTML page with figures", 0},
     {"resume", KEY_RESUME, "DIR", 0, "Keep finished blocks in DIR and go on from those there",
      0},
+    {"only", KEY_ONLY, "S5,S6", 0, "paper, block, merge: these experiments alone, S1 to S9", 0},
     {"from", KEY_FROM, "A", 0, "block: first trial, a multiple of 50", 0},
     {"to", KEY_TO, "B", 0, "block: one past the last trial, a multiple of 50 or the end", 0},
     {"output", 'o', "FILE", 0, "block: the part file", 0},
@@ -82,6 +85,28 @@ static uint64_t whole(struct argp_state *state, const char *what, const char *ar
                    (unsigned long long)max);
     }
     return value;
+}
+
+/* "S5,S6" as bits. */
+static uint32_t parts_of(struct argp_state *state, const char *arg)
+{
+    uint32_t parts = 0;
+    const char *at = arg;
+    bool good = true;
+    while (good) {
+        good = at[0] == 'S' && at[1] >= '1' && at[1] <= '9' && (at[2] == ',' || at[2] == '\0');
+        if (good) {
+            parts |= 1U << (at[1] - '1');
+        }
+        if (!good || at[2] == '\0') {
+            break;
+        }
+        at += 3;
+    }
+    if (!good) {
+        argp_error(state, "--only %s: names from S1 to S9 with commas are allowed", arg);
+    }
+    return parts;
 }
 
 static study_command command_of(struct argp_state *state, const char *word)
@@ -166,6 +191,10 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_TO:
         out->to = whole(state, "--to", arg, 10, max, 10);
         return 0;
+    case KEY_ONLY:
+        out->only = arg;
+        out->parts_run = parts_of(state, arg);
+        return 0;
     case KEY_WRITE:
         out->write = true;
         return 0;
@@ -188,7 +217,8 @@ void study_options_parse(int argc, char **argv, study_options *out)
         NULL};
     argp_program_version = "exk-study " EXK_VERSION;
     argp_err_exit_status = STUDY_INPUT;
-    *out = (study_options){.parts = calloc((size_t)argc, sizeof *out->parts)};
+    *out = (study_options){.parts = calloc((size_t)argc, sizeof *out->parts),
+                           .parts_run = STUDY_ALL_PARTS};
     argp_parse(&argp, argc, argv, 0, NULL, out);
     if (out->n_threads == 0) {
         const long n = sysconf(_SC_NPROCESSORS_ONLN);

@@ -124,7 +124,7 @@ static const char *noise_of(const exk_profile *profiles)
     return word;
 }
 
-int study_paper_init(study_paper *paper, const char *folder)
+int study_paper_init(study_paper *paper, const char *folder, uint32_t parts)
 {
     char *text = NULL;
     size_t size = 0;
@@ -137,8 +137,9 @@ int study_paper_init(study_paper *paper, const char *folder)
         return STUDY_INPUT;
     }
     paper->variant = study_as_published();
-    paper->parts = STUDY_ALL_PARTS;
+    paper->parts = parts;
     name_measures(paper->measures);
+    fprintf(all, "parts %#x\n", (unsigned)parts);
     const int code = read_profiles(paper, all);
     fclose(all);
     paper->noise = noise_of(paper->profiles);

@@ -80,7 +80,8 @@ typedef struct {
     study_task task;
 } study_paper;
 
-/** Reads the profiles once; an exit code. paper must outlive its task and not be moved. */
-int study_paper_init(study_paper *paper, const char *folder);
+/** Reads the profiles once; an exit code. parts: STUDY_ALL_PARTS or some of them. paper must outlive
+ *  its task and not be moved. */
+int study_paper_init(study_paper *paper, const char *folder, uint32_t parts);
 
 #endif

@@ -61,7 +61,8 @@ static json_t *claims_json(const study_tally *tallies, bool references)
     const study_claim *claims = study_claims(&n);
     json_t *list = json_array();
     for (size_t i = 0; i < n; i++) {
-        if ((claims[i].role == STUDY_REFERENCE) == references) {
+        if ((claims[i].role == STUDY_REFERENCE) == references &&
+            study_was_run(&claims[i], tallies)) {
             json_array_append_new(list, claim_json(&claims[i], tallies));
         }
     }
@@ -88,7 +89,7 @@ static json_t *words_json(const study_tally *tallies)
 static json_t *summary_json(const study_tally *tally, double scale)
 {
     const double half = study_tally_ci95(tally);
-    const double mean = tally->moments.mean;
+    const double mean = tally->moments.n > 0 ? tally->moments.mean : (double)NAN;
     return json_pack("{s:o, s:[o,o], s:[o,o]}", "mean", exk_json_real(scale * mean), "ci95",
                      exk_json_real(scale * (mean - half)), exk_json_real(scale * (mean + half)),
                      "spread95", exk_json_real(scale * study_tally_quantile(tally, 0.025)),
@@ -228,7 +229,9 @@ int study_write_csv(const study_sums *totals, const study_measure *measures, con
     }
     fputs(csv_header, out.file);
     for (size_t i = 0; i < totals->n; i++) {
-        csv_row(out.file, &measures[i], &totals->tallies[i]);
+        if (totals->tallies[i].moments.n > 0) {
+            csv_row(out.file, &measures[i], &totals->tallies[i]);
+        }
     }
     return say(exk_out_commit(&out, why, sizeof why), why);
 }
@@ -240,6 +243,9 @@ static void print_claims(const study_tally *tallies)
     printf("%-9s %10s %10s %23s %21s  %-9s %s\n", "figure", "published", "ours", "95 % of ours",
            "95 % of one study", "role", "verdict");
     for (size_t i = 0; i < n; i++) {
+        if (!study_was_run(&claims[i], tallies)) {
+            continue;
+        }
         const study_verdict v = study_judge(&claims[i], tallies);
         printf("%-9s %10.6g %10.5f %11.5f to %8.5f %9.4f to %8.4f  %-9s %s\n", claims[i].id,
                claims[i].published, v.mean, v.ci95.low, v.ci95.high, v.prediction95.low,

@@ -29,7 +29,9 @@ typedef struct {
     const char *output; /* block */
     uint64_t from;
     uint64_t to;
-    bool write; /* calibrate: into the profiles */
+    const char *only;   /* as given, NULL: all */
+    uint32_t parts_run; /* its bits of study_part */
+    bool write;         /* calibrate: into the profiles */
     char **parts;
     size_t n_parts;
 } study_options;

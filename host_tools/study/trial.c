@@ -112,7 +112,9 @@ static int run_s8(study_set *set, uint32_t trial, study_tally *tallies)
     double mean_m = 0.0;
     const int code =
         run_grid25(set, STUDY_S8, trial, STUDY_M_S8_MIN, STUDY_M_S8_HOLES, tallies, &mean_m);
-    study_add(tallies, STUDY_M_S8_LESS_S7, mean_m - set->s7_m);
+    if (set->parts & 1U << STUDY_PART_S7) {
+        study_add(tallies, STUDY_M_S8_LESS_S7, mean_m - set->s7_m);
+    }
     return code;
 }
 

@@ -105,8 +105,12 @@ int study_trial_s3(study_set *set, uint32_t trial, study_tally *tallies)
     study_add(tallies, STUDY_M_S3_PLUS_FIRST, share(path, path->n_first));
     study_add(tallies, STUDY_M_S3_PLUS_END, path->last_m[0] > 0.0 && path->last_m[1] > 0.0);
     study_add(tallies, STUDY_M_S3_RMS, rms_m(path));
-    study_add(tallies, STUDY_M_S3_LESS_S2, rms_m(path) - set->s2_m);
-    study_add(tallies, STUDY_M_S3_LESS_S1, rms_m(path) - set->s1_m);
+    if (set->parts & 1U << STUDY_PART_S2) {
+        study_add(tallies, STUDY_M_S3_LESS_S2, rms_m(path) - set->s2_m);
+    }
+    if (set->parts & 1U << STUDY_PART_S1) {
+        study_add(tallies, STUDY_M_S3_LESS_S1, rms_m(path) - set->s1_m);
+    }
     return code;
 }
 

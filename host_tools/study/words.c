@@ -103,13 +103,18 @@ static study_word compare_rates(const char *id, const char *claim, double k_bett
 size_t study_words(const study_tally *tallies, study_word words[STUDY_WORDS_MAX])
 {
     size_t n = 0;
-    for (; n < sizeof rows / sizeof rows[0]; n++) {
-        words[n] = (study_word){.id = rows[n].id, .claim = rows[n].claim};
-        if (rows[n].kind == PAIRED) {
-            test_paired(&words[n], &tallies[rows[n].of]);
-        } else {
-            test_share(&words[n], &tallies[rows[n].of], rows[n].chance);
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        const study_tally *tally = &tallies[rows[i].of];
+        if (tally->moments.n == 0) {
+            continue; /* its experiment was left out */
         }
+        words[n] = (study_word){.id = rows[i].id, .claim = rows[i].claim};
+        if (rows[i].kind == PAIRED) {
+            test_paired(&words[n], tally);
+        } else {
+            test_share(&words[n], tally, rows[i].chance);
+        }
+        n++;
     }
     words[n++] = compare_rates(
         "S10", "Mazak (45 of 45, count assumed) has more holes inside than Exechon (37 of 45)",

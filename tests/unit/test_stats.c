@@ -256,6 +256,47 @@ static void published_figures_are_those_of_the_study(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.0, 0.06, exk_true_position(0.03));
 }
 
+static void rician_of_no_offset_is_rayleigh(void)
+{
+    const exk_rician r = {0.0, 0.0188};
+    TEST_ASSERT_DOUBLE_WITHIN(1e-12, 0.0188 * sqrt(acos(-1.0) / 2.0), exk_rician_mean(r));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-10, exk_rayleigh_inside(0.03, r.sigma),
+                              exk_rician_inside(0.03, r));
+}
+
+static void rician_of_much_offset_is_normal(void)
+{
+    /* far from the centre the radial error is the part along the offset: mean v + s^2/2v */
+    const exk_rician r = {20.0, 1.0};
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, 20.025, exk_rician_mean(r));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, 0.5 * erfc(0.025 / sqrt(2.0)), exk_rician_inside(20.0, r));
+}
+
+static void rician_fit_returns_what_made_the_moments(void)
+{
+    static const exk_rician rows[] = {{0.0, 2.0}, {1.0, 2.0}, {5.0, 0.5}};
+    for (size_t i = 0; i < 3; i++) {
+        const double v2 = rows[i].offset * rows[i].offset, s2 = rows[i].sigma * rows[i].sigma;
+        const exk_rician fit = exk_rician_fit(v2 + 2.0 * s2, 4.0 * s2 * (s2 + v2));
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, rows[i].offset, fit.offset);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, rows[i].sigma, fit.sigma);
+    }
+    /* more scatter than Rayleigh's: no offset explains it */
+    TEST_ASSERT_EQUAL_DOUBLE(0.0, exk_rician_fit(1.0, 2.0).offset);
+    TEST_ASSERT_DOUBLE_IS_NAN(exk_rician_fit(0.0, 1.0).sigma);
+}
+
+static void rician_of_the_published_figures(void)
+{
+    /* control limits, section 2: offset 22.5 um, sigma 7.0 um give mean 0.0236 and 82.6 % */
+    const exk_rician r = exk_rician_of_mean_and_inside(0.023614, 0.03, 0.826);
+    TEST_ASSERT_DOUBLE_WITHIN(PRINTED(0.0002), 0.0225, r.offset);
+    TEST_ASSERT_DOUBLE_WITHIN(PRINTED(0.0002), 0.0070, r.sigma);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 0.023614, exk_rician_mean(r));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 0.826, exk_rician_inside(0.03, r));
+    TEST_ASSERT_DOUBLE_IS_NAN(exk_rician_of_mean_and_inside(0.023614, 0.03, 0.5).sigma);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -274,5 +315,9 @@ int main(void)
     RUN_TEST(rayleigh_fit_of_exact_quantiles);
     RUN_TEST(pose_accuracy_of_a_cross);
     RUN_TEST(published_figures_are_those_of_the_study);
+    RUN_TEST(rician_of_no_offset_is_rayleigh);
+    RUN_TEST(rician_of_much_offset_is_normal);
+    RUN_TEST(rician_fit_returns_what_made_the_moments);
+    RUN_TEST(rician_of_the_published_figures);
     return UNITY_END();
 }
