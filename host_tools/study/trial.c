@@ -13,7 +13,7 @@ static void add_to_group(double *sum_m, uint32_t trial, double value_m, study_ta
 {
     *sum_m = trial % STUDY_GROUP == 0 ? value_m : *sum_m + value_m;
     if (trial % STUDY_GROUP == STUDY_GROUP - 1) {
-        study_add(tallies, mean10, *sum_m / STUDY_GROUP);
+        study_add(tallies, (int)mean10, *sum_m / STUDY_GROUP);
     }
 }
 
