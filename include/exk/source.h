@@ -26,8 +26,7 @@ typedef struct {
     double true_rad[EXK_N_AXES];     /* theta: for the record only; valid when has_true */
     bool has_true;
     bool fresh;
-    int64_t
-        age; /* ticks from the one the sample belongs to until the one asked for; 0: in time */
+    int64_t age; /* ticks from the sample's own to the one asked for; 0: in time */
 } exk_reading;
 
 typedef struct {
