@@ -11,6 +11,7 @@
 #ifndef EXK_REALTIME_H
 #define EXK_REALTIME_H
 
+#include <pthread.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -23,6 +24,9 @@ typedef struct {
 } exk_clock;
 
 exk_clock exk_clock_monotonic(void);
+
+/** Wall clock, microseconds since 1970 UTC: for stamps that leave this host, never for the grid. */
+int64_t exk_wall_us(void);
 
 typedef struct {
     exk_clock clock;
@@ -67,5 +71,9 @@ void exk_rights_ask(int priority, int cpu, exk_rights *out);
 
 /** Makes the calling thread an ordinary one on any CPU: for a helper thread started after the asking. */
 void exk_rights_drop(void);
+
+/** A thread beside the control thread: an ordinary one whatever its maker is, with a stack of 1 MiB;
+ *  signals stay with its maker. 0, or an errno. */
+int exk_helper_start(pthread_t *thread, void *(*work)(void *ctx), void *ctx);
 
 #endif

@@ -22,7 +22,9 @@ typedef struct {
     exk_kin kin;
     exk_plan plan;
     exk_twin twin;
-    exk_replay replay; /* when the profile reads its angles from a log */
+    exk_replay replay;   /* when the profile reads its angles from a log */
+    exk_joint_from from; /* where the angles come from: the profile's word, or the caller's */
+    exk_source bus;      /* set by the caller before start where they come from the bus */
     exk_loop loop;
 } exk_rig;
 
@@ -39,6 +41,10 @@ void exk_rig_close(exk_rig *rig);
 /** Sets up twin and loop for one run of a series; u may be NULL. */
 exk_err exk_rig_start(exk_rig *rig, exk_realisation which,
                       const double *const u_rad[EXK_N_AXES], size_t n_u);
+
+/** The machine of the profile alone, for a process that is the machine: sets up the twin for one run and
+ *  returns it as a source. */
+exk_err exk_rig_start_machine(exk_rig *rig, exk_realisation which, exk_source *out);
 
 /** run_id of a fast run. */
 int64_t exk_rig_run_id(const exk_rig *rig, exk_realisation which);

@@ -3,6 +3,7 @@
 #include <argp.h>
 #include <errno.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "exk/args.h"
 #include "exk/version.h"
@@ -15,6 +16,7 @@ enum {
     KEY_RUN,
     KEY_SERIES,
     KEY_URL,
+    KEY_SOURCE,
     KEY_BUS,
     KEY_NO_BUS
 };
@@ -26,6 +28,7 @@ static const char doc[] =
     "  exk-loop profiles/rectangle.ini                    in real time, on the bus\n"
     "  exk-loop profiles/rectangle.ini --fast -r run.lcm  unpaced, to a log file\n"
     "  exk-loop profiles/rectangle_ilc.ini --fast --ilc r.ilc -r run2.lcm\n"
+    "  exk-loop profiles/rectangle.ini --source bus       beside exk-twin with this profile\n"
     "\n"
     "Watch it with exk-spy, record it with exk-log, judge it with exk-holes.\n"
     "Ctrl-C ends a run cleanly: the log is complete.\n"
@@ -45,6 +48,10 @@ static const struct argp_option options[] = {
      "Repetition within a series, 1, 2, ... (default: the store's, or 1)", 0},
     {"series", KEY_SERIES, "I", 0, "Series (trial) of the random numbers (default 0)", 0},
     {"url", KEY_URL, "URL", 0, "LCM URL in place of the profile's", 0},
+    {"source", KEY_SOURCE, "WHERE", 0,
+     "twin: the machine in this process; bus: one on the bus (exk-twin), in place of the "
+     "profile's",
+     0},
     {"bus", KEY_BUS, NULL, 0, "Publish in --fast as well", 0},
     {"no-bus", KEY_NO_BUS, NULL, 0, "Publish nothing", 0},
     {"quiet", 'q', NULL, 0, "No progress and no notes", 0},
@@ -88,6 +95,12 @@ static error_t parse_value(int key, char *arg, struct argp_state *state, loop_op
         return 0;
     case KEY_URL:
         out->url = arg;
+        return 0;
+    case KEY_SOURCE:
+        if (strcmp(arg, "twin") != 0 && strcmp(arg, "bus") != 0) {
+            argp_error(state, "--source %s: twin or bus is allowed", arg);
+        }
+        out->source = arg;
         return 0;
     case KEY_RUN:
         out->run = (uint32_t)exk_args_whole(state, "--run", arg, 1, UINT32_MAX);

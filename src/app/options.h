@@ -10,6 +10,7 @@ typedef struct {
     const char *record_path; /* NULL: no log file */
     const char *ilc_path;    /* NULL: no stored correction */
     const char *url;         /* NULL: the profile's */
+    const char *source;      /* "twin" or "bus"; NULL: the profile's */
     uint32_t run;            /* p = 1, 2, ...; 0: the store's own, or 1 */
     uint32_t series;
     bool fast;

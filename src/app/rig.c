@@ -141,6 +141,7 @@ static int open_replay(exk_rig *rig, const char *profile_path)
 static int build(exk_rig *rig, const char *path, int (*holes_from)(exk_rig *, const char *))
 {
     const exk_profile *profile = &rig->profile;
+    rig->from = profile->timing.from;
     const exk_err err =
         exk_kin_init(&rig->kin, profile->model, profile->wrist, &profile->geometry);
     if (err != EXK_OK) {
@@ -209,11 +210,11 @@ void exk_rig_close(exk_rig *rig)
 
 static exk_source source_of(exk_rig *rig)
 {
-    if (rig->profile.timing.from == EXK_FROM_REPLAY) {
+    if (rig->from == EXK_FROM_REPLAY) {
         exk_replay_rewind(&rig->replay);
         return exk_replay_source(&rig->replay);
     }
-    return exk_twin_source(&rig->twin);
+    return rig->from == EXK_FROM_BUS ? rig->bus : exk_twin_source(&rig->twin);
 }
 
 exk_err exk_rig_start(exk_rig *rig, exk_realisation which,
@@ -232,6 +233,15 @@ exk_err exk_rig_start(exk_rig *rig, exk_realisation which,
     }
     const exk_err err = exk_twin_init(&rig->twin, &profile->twin, which);
     return err != EXK_OK ? err : exk_loop_init(&rig->loop, &cfg);
+}
+
+exk_err exk_rig_start_machine(exk_rig *rig, exk_realisation which, exk_source *out)
+{
+    const exk_err err = exk_twin_init(&rig->twin, &rig->profile.twin, which);
+    if (err == EXK_OK) {
+        *out = exk_twin_source(&rig->twin);
+    }
+    return err;
 }
 
 int64_t exk_rig_run_id(const exk_rig *rig, exk_realisation which)

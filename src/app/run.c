@@ -2,22 +2,22 @@
 #include "run.h"
 
 #include <inttypes.h>
-#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "exk/event_file.h"
+#include "exk/input.h"
 #include "exk/realtime.h"
+#include "exk/solo.h"
 #include "exk/telemetry.h"
-#include "progress.h"
 #include "summary.h"
+#include "ticks.h"
 
 enum { EXIT_ENDED_EARLY = 1, EXIT_INPUT = 2, EXIT_IO = 3 };
-static const double hold_after_fault_s = 0.5; /* go on publishing the held command this long */
+enum { LISTEN_MS = 200 };
 
 static volatile sig_atomic_t stop_signal;
 
@@ -36,96 +36,10 @@ static void catch_signals(void)
     signal(SIGPIPE, SIG_IGN);
 }
 
-typedef struct {
-    exk_rig *rig;
-    exk_publisher *publisher;
-    exk_pacer pacer;
-    exk_histogram lateness;
-    exk_histogram step_time;
-    loop_progress progress;
-    exk_record record;
-    int64_t k_fault; /* tick of the fault, -1: none */
-    bool fast;
-} run;
-
 static int64_t now_ns(void)
 {
     const exk_clock clock = exk_clock_monotonic();
     return clock.now_ns(clock.ctx);
-}
-
-static void note_progress(run *r, int64_t k)
-{
-    atomic_store_explicit(&r->progress.k, k, memory_order_relaxed);
-    atomic_store_explicit(&r->progress.n_missed, r->pacer.n_missed, memory_order_relaxed);
-    atomic_store_explicit(&r->progress.hole, r->record.sample.hole, memory_order_relaxed);
-}
-
-/* One step and its record. False: this was the last one. */
-static bool step_and_push(run *r, int64_t k)
-{
-    exk_loop *loop = &r->rig->loop;
-    const int64_t last = r->rig->plan.n_ticks - 1;
-    exk_loop_step(loop, k, &r->record.sample);
-    if (loop->sm.state == EXK_STATE_FAULT && r->k_fault < 0) {
-        r->k_fault = k;
-    }
-    const double held_s = (double)(k - r->k_fault) * r->rig->plan.cfg.dt_s;
-    const bool held = r->k_fault >= 0 && held_s >= hold_after_fault_s;
-    const bool stopped = stop_signal != 0 || k >= last || held;
-    r->record.n_bad = loop->n_bad;
-    r->record.fault = (int32_t)loop->fault;
-    r->record.state = (int32_t)loop->sm.state;
-    if (stopped && loop->sm.state != EXK_STATE_FAULT) {
-        r->record.state = EXK_STATE_DONE;
-    }
-    exk_publisher_push(r->publisher, &r->record);
-    note_progress(r, k);
-    return !stopped;
-}
-
-static void run_fast(run *r)
-{
-    int64_t k = 0;
-    while (step_and_push(r, k)) {
-        k++;
-    }
-}
-
-static bool paced_step(run *r)
-{
-    const exk_rig *rig = r->rig;
-    int64_t k = exk_pacer_next(&r->pacer);
-    const int64_t begin_ns = now_ns();
-    if (r->pacer.n_missed_row >= rig->profile.timing.n_missed_max) {
-        const exk_fault_report report = {
-            .cause = EXK_CAUSE_OVERRUN, .err = EXK_ERR_OVERRUN, .k = k};
-        exk_loop_fail(&r->rig->loop, &report);
-    }
-    k = k < rig->plan.n_ticks ? k : rig->plan.n_ticks - 1;
-    r->record.lateness_ns = r->pacer.lateness_ns;
-    r->record.n_overruns = r->pacer.n_missed;
-    const bool more = step_and_push(r, k);
-    r->record.step_ns = now_ns() - begin_ns;
-    exk_histogram_add(&r->lateness, r->pacer.lateness_ns);
-    exk_histogram_add(&r->step_time, r->record.step_ns);
-    return more;
-}
-
-static void run_paced(run *r)
-{
-    const exk_timing_config *timing = &r->rig->profile.timing;
-    exk_pacer_start(&r->pacer, exk_clock_monotonic(), llround(1e9 / timing->rate_Hz),
-                    llround(timing->spin_s * 1e9));
-    while (paced_step(r)) {
-    }
-}
-
-static int64_t wall_us(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_REALTIME, &now);
-    return (int64_t)now.tv_sec * 1000000 + now.tv_nsec / 1000;
 }
 
 static int64_t fresh_run_id(void)
@@ -135,11 +49,30 @@ static int64_t fresh_run_id(void)
     return (int64_t)(exk_store_hash(text, (size_t)n) >> 1);
 }
 
-static void describe(const loop_options *options, run *r, exk_realisation which,
+static const char *bus_url(const loop_options *options, const exk_rig *rig)
+{
+    return options->url != NULL ? options->url : rig->profile.telemetry.url;
+}
+
+static bool publishes(const loop_options *options)
+{
+    return !options->off_bus && (!options->fast || options->on_bus);
+}
+
+static bool drives_bus(const exk_rig *rig)
+{
+    return rig->from == EXK_FROM_BUS;
+}
+
+static bool takes_commands(const loop_options *options, const exk_rig *rig)
+{
+    return rig->profile.command.allow && publishes(options) && !options->fast;
+}
+
+static void describe(const loop_options *options, loop_ticks *r, exk_realisation which,
                      exk_run_info *info)
 {
     const exk_rig *rig = r->rig;
-    const bool on_bus = !options->off_bus && (!options->fast || options->on_bus);
     *info = (exk_run_info){
         .profile = &rig->profile,
         .job_hash = rig->job_hash,
@@ -149,15 +82,32 @@ static void describe(const loop_options *options, run *r, exk_realisation which,
         .holes = rig->holes,
         .n_holes = rig->n_holes,
         .n_ticks = rig->plan.n_ticks,
-        .start_utime_us = options->fast ? 0 : wall_us(),
+        .start_utime_us = options->fast ? 0 : exk_wall_us(),
         .fast = options->fast,
-        .url = !on_bus                ? NULL
-               : options->url != NULL ? options->url
-                                      : rig->profile.telemetry.url,
+        .url = publishes(options) ? bus_url(options, rig) : NULL,
         .record_path = options->record_path,
         .lateness = options->fast ? NULL : &r->lateness,
         .step_time = options->fast ? NULL : &r->step_time,
     };
+}
+
+static bool complain(const char *why)
+{
+    fprintf(stderr, "exk-loop: %s\n", why);
+    return false;
+}
+
+/* One controller on a bus. A run that neither publishes nor drives disturbs nobody. */
+static bool is_alone(const loop_options *options, const exk_rig *rig)
+{
+    char why[1024];
+    const char *url = bus_url(options, rig);
+    if (!publishes(options) && !drives_bus(rig)) {
+        return true;
+    }
+    return (exk_solo_claim("controller", url, why, sizeof why) &&
+            exk_solo_listen(url, LISTEN_MS, why, sizeof why)) ||
+           complain(why);
 }
 
 static bool record_allowed(const loop_options *options)
@@ -167,11 +117,10 @@ static bool record_allowed(const loop_options *options)
         exk_event_path_allowed(options->record_path, why, sizeof why)) {
         return true;
     }
-    fprintf(stderr, "exk-loop: %s\n", why);
-    return false;
+    return complain(why);
 }
 
-static bool start_publisher(run *r, exk_run_info *info)
+static bool start_publisher(loop_ticks *r, exk_run_info *info)
 {
     char why[512];
     const size_t length = exk_profile_print(info->profile, NULL, 0);
@@ -185,13 +134,72 @@ static bool start_publisher(run *r, exk_run_info *info)
     r->publisher = exk_publisher_start(info, why, sizeof why);
     free(text);
     if (r->publisher == NULL) {
-        fprintf(stderr, "exk-loop: %s\n", why);
-        return false;
+        return complain(why);
     }
     return true;
 }
 
-static void ask_rights(const loop_options *options, run *r)
+/* What the loop drives: told by the profile or by --source, which does not change the profile's text. */
+static bool open_link(const loop_options *options, loop_ticks *r, const exk_run_info *info)
+{
+    char why[1024];
+    const exk_timing_config *timing = &r->rig->profile.timing;
+    const exk_link_config cfg = {
+        .url = bus_url(options, r->rig),
+        .run_id = info->run_id,
+        .which = {.seed = timing->seed, .series = info->series, .run = info->run},
+        .dt_s = timing->dt_s,
+        .answer_s = timing->answer_s,
+        .fast = options->fast,
+    };
+    if (!drives_bus(r->rig)) {
+        return true;
+    }
+    r->link = exk_link_open(&cfg, why, sizeof why);
+    if (r->link == NULL) {
+        return complain(why);
+    }
+    r->rig->bus = exk_link_source(r->link);
+    return true;
+}
+
+static bool load_gate(const loop_options *options, const exk_rig *rig, int64_t run_id,
+                      exk_gate *gate)
+{
+    char path[2 * EXK_PATH_MAX];
+    char why[2 * EXK_PATH_MAX + 256];
+    exk_key_secret key;
+    const exk_command_config *command = &rig->profile.command;
+    exk_input_beside(options->profile_path, command->key_file, path, sizeof path);
+    if (!exk_key_load(path, &key, why, sizeof why)) {
+        return complain(why);
+    }
+    exk_gate_init(gate, &key, run_id, (int64_t)(command->fresh_s * 1e6));
+    exk_key_wipe(&key);
+    return true;
+}
+
+/* 0, or an exit code. */
+static int open_inbox(const loop_options *options, loop_ticks *r, const exk_run_info *info)
+{
+    char why[1024];
+    exk_gate gate;
+    if (!takes_commands(options, r->rig)) {
+        return 0;
+    }
+    if (!load_gate(options, r->rig, info->run_id, &gate)) {
+        return EXIT_INPUT;
+    }
+    r->inbox = exk_inbox_open(info->url, &gate, why, sizeof why);
+    exk_key_wipe(&gate.key);
+    if (r->inbox == NULL) {
+        complain(why);
+        return EXIT_IO;
+    }
+    return 0;
+}
+
+static void ask_rights(const loop_options *options, loop_ticks *r)
 {
     exk_rights rights;
     const exk_timing_config *timing = &r->rig->profile.timing;
@@ -202,7 +210,7 @@ static void ask_rights(const loop_options *options, run *r)
     }
 }
 
-static int finish(const loop_options *options, run *r)
+static int finish(const loop_options *options, loop_ticks *r)
 {
     exk_publish_summary summary;
     exk_publisher_stop(r->publisher, &summary);
@@ -224,38 +232,79 @@ static int finish(const loop_options *options, run *r)
     return stop_signal != 0 || r->k_fault >= 0 ? EXIT_ENDED_EARLY : 0;
 }
 
-int loop_run(const loop_options *options, exk_rig *rig, const exk_store *store)
+static void close_bus(loop_ticks *r)
 {
-    static run r; /* large: histograms and the record */
-    exk_run_info info;
+    exk_inbox_close(r->inbox);
+    exk_link_close(r->link);
+    r->inbox = NULL;
+    r->link = NULL;
+}
+
+static bool set_up_loop(loop_ticks *r, const exk_run_info *info, const exk_store *store)
+{
+    exk_rig *rig = r->rig;
     const exk_realisation which = {
-        .seed = rig->profile.timing.seed, .series = options->series, .run = options->run};
+        .seed = rig->profile.timing.seed, .series = info->series, .run = info->run};
     const double *const u_rad[EXK_N_AXES] = {store == NULL ? NULL : store->u_rad[EXK_ALPHA],
                                              store == NULL ? NULL : store->u_rad[EXK_BETA]};
     const exk_err err = exk_rig_start(rig, which, u_rad, store == NULL ? 0 : store->n_samples);
     if (err != EXK_OK) {
         fprintf(stderr, "exk-loop: the loop cannot be set up: %s\n", exk_err_name(err));
+        return false;
+    }
+    rig->loop.cfg.waits = r->inbox != NULL && rig->profile.command.wait;
+    return true;
+}
+
+/* Everything that may be refused or fail comes before the first tick; 0, or an exit code. */
+static int open_all(const loop_options *options, loop_ticks *r, exk_run_info *info,
+                    const exk_store *store)
+{
+    if (!record_allowed(options) || !is_alone(options, r->rig)) {
         return EXIT_INPUT;
     }
-    r = (run){.rig = rig, .k_fault = -1, .fast = options->fast};
+    int code = open_inbox(options, r, info);
+    if (code == 0 && !open_link(options, r, info)) {
+        code = EXIT_IO;
+    }
+    if (code == 0 && !set_up_loop(r, info, store)) {
+        code = EXIT_INPUT;
+    }
+    if (code == 0 && !start_publisher(r, info)) {
+        code = EXIT_IO;
+    }
+    if (code != 0) {
+        close_bus(r);
+    }
+    return code;
+}
+
+static int run_ticks(const loop_options *options, loop_ticks *r)
+{
+    if (!options->fast) {
+        ask_rights(options, r);
+    }
+    r->progress.n_ticks = r->rig->plan.n_ticks;
+    r->progress.n_holes = (int32_t)r->rig->n_holes;
+    loop_progress_start(&r->progress, !options->quiet);
+    loop_ticks_run(r);
+    const int code = finish(options, r);
+    close_bus(r);
+    return code;
+}
+
+int loop_run(const loop_options *options, exk_rig *rig, const exk_store *store)
+{
+    static loop_ticks r; /* large: histograms and the record */
+    exk_run_info info;
+    const exk_realisation which = {
+        .seed = rig->profile.timing.seed, .series = options->series, .run = options->run};
+    r = (loop_ticks){.rig = rig, .fast = options->fast, .stop_signal = &stop_signal};
+    if (options->source != NULL) { /* the profile's text stays, so that logs can be compared */
+        rig->from = strcmp(options->source, "bus") == 0 ? EXK_FROM_BUS : EXK_FROM_TWIN;
+    }
     describe(options, &r, which, &info);
     catch_signals();
-    if (!record_allowed(options)) {
-        return EXIT_INPUT;
-    }
-    if (!start_publisher(&r, &info)) {
-        return EXIT_IO;
-    }
-    if (!options->fast) {
-        ask_rights(options, &r);
-    }
-    r.progress.n_ticks = rig->plan.n_ticks;
-    r.progress.n_holes = (int32_t)rig->n_holes;
-    loop_progress_start(&r.progress, !options->quiet);
-    if (options->fast) {
-        run_fast(&r);
-    } else {
-        run_paced(&r);
-    }
-    return finish(options, &r);
+    const int code = open_all(options, &r, &info, store);
+    return code != 0 ? code : run_ticks(options, &r);
 }

@@ -46,7 +46,7 @@ static void fill_status(exk_messages *m, bool last)
 {
     exk_wire_status *s = &m->status;
     s->stamp = stamp(m, m->n_status++);
-    s->utime_us = m->fast ? 0 : exk_wall_clock_us();
+    s->utime_us = m->fast ? 0 : exk_wall_us();
     s->last = last;
     s->n_poses = m->n_numbered;
     s->n_steps = m->n_taken + s->n_dropped;

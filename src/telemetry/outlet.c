@@ -1,18 +1,10 @@
-#define _POSIX_C_SOURCE 200809L
 #include "outlet.h"
 
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
+#include "exk/realtime.h"
 #include "exk/wire.h"
-
-int64_t exk_wall_clock_us(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_REALTIME, &now);
-    return (int64_t)now.tv_sec * 1000000 + now.tv_nsec / 1000;
-}
 
 bool exk_outlet_open(exk_outlet *out, const char *url, const char *record_path, bool fast,
                      char *why, size_t why_size)
@@ -74,7 +66,7 @@ void exk_outlet_send(exk_outlet *out, const char *channel, const void *data, int
         send_bus(out, channel, data, bytes);
     }
     if (out->file != NULL && out->file_ok) {
-        const int64_t stamp_us = out->fast ? time_us : exk_wall_clock_us();
+        const int64_t stamp_us = out->fast ? time_us : exk_wall_us();
         check_file(out,
                    exk_event_writer_add(out->file, stamp_us, channel, data, (size_t)bytes));
     }

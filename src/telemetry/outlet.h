@@ -31,7 +31,4 @@ void exk_outlet_send(exk_outlet *out, const char *channel, const void *data, int
 void exk_outlet_flush(exk_outlet *out);
 void exk_outlet_close(exk_outlet *out);
 
-/** Wall clock, microseconds since 1970 UTC. */
-int64_t exk_wall_clock_us(void);
-
 #endif

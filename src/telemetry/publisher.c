@@ -1,7 +1,5 @@
 #define _POSIX_C_SOURCE 200809L
 #include <pthread.h>
-#include <sched.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +8,7 @@
 #include "exk/telemetry.h"
 #include "messages.h"
 
-enum { CACHE_LINE = 64, STACK_BYTES = 1024 * 1024, SMALLEST_RING = 16 };
+enum { CACHE_LINE = 64, SMALLEST_RING = 16 };
 static const long poll_ns = 500000;      /* publisher: looks into an empty ring this often */
 static const long room_poll_ns = 100000; /* fast: looks for room in a full ring this often */
 
@@ -101,26 +99,6 @@ static void *publish(void *ctx)
     return NULL;
 }
 
-/* An ordinary thread, whatever its maker is; signals stay with the control thread. */
-static int start_thread(exk_publisher *pub)
-{
-    pthread_attr_t attr;
-    sigset_t all;
-    sigset_t before;
-    const struct sched_param ordinary = {.sched_priority = 0};
-    pthread_attr_init(&attr);
-    pthread_attr_setinheritsched(&attr, PTHREAD_EXPLICIT_SCHED);
-    pthread_attr_setschedpolicy(&attr, SCHED_OTHER);
-    pthread_attr_setschedparam(&attr, &ordinary);
-    pthread_attr_setstacksize(&attr, STACK_BYTES);
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, &before);
-    const int error = pthread_create(&pub->thread, &attr, publish, pub);
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
-    pthread_attr_destroy(&attr);
-    return error;
-}
-
 static bool make_ring(exk_publisher *pub, const exk_run_info *info)
 {
     const int wanted = info->profile->telemetry.ring_slots;
@@ -169,7 +147,7 @@ exk_publisher *exk_publisher_start(const exk_run_info *info, char *why, size_t w
     if (!exk_messages_init(&pub->messages, info, why, why_size)) {
         return give_up(pub);
     }
-    const int error = start_thread(pub);
+    const int error = exk_helper_start(&pub->thread, publish, pub);
     if (error != 0) {
         snprintf(why, why_size, "the publisher thread cannot be started: %s", strerror(error));
         exk_outlet_close(&pub->messages.out);

@@ -1,0 +1,198 @@
+/** exk-command: one command to the controller on the bus. See options.c for its use. */
+#define _POSIX_C_SOURCE 200809L
+#include <inttypes.h>
+#include <signal.h>
+#include <stdio.h>
+
+#include "bus_url.h"
+#include "exk/bus.h"
+#include "exk/realtime.h"
+#include "options.h"
+
+enum { EXIT_REFUSED = 1, EXIT_INPUT = 2, EXIT_IO = 3, WHY_MAX = 1024 };
+static const int64_t hear_us = 2000000;  /* a controller says its status at least this often */
+static const int64_t reply_us = 1500000; /* its counts show what became of a command */
+
+static volatile sig_atomic_t stop_signal;
+
+static void on_signal(int number)
+{
+    stop_signal = number;
+}
+
+static void catch_signals(void)
+{
+    struct sigaction action = {.sa_handler = on_signal};
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+}
+
+typedef struct {
+    exk_bus *bus;
+    exk_key_secret key;
+    exk_wire_status status; /* the newest */
+    bool has_status;
+    int64_t last_seq;
+} sender;
+
+static int complain(int code, const char *why)
+{
+    fprintf(stderr, "exk-command: %s\n", why);
+    return code;
+}
+
+static void hear(void *ctx, const char *channel, const void *data, size_t bytes,
+                 int64_t received_us)
+{
+    sender *s = ctx;
+    exk_wire_status status;
+    (void)channel;
+    (void)received_us;
+    if (exk_wire_status_decode(data, bytes, &status) && !status.last) {
+        s->status = status;
+        s->has_status = true;
+    } else if (s->has_status && status.stamp.run_id == s->status.stamp.run_id) {
+        s->status = status;
+    }
+}
+
+/* seq is the wall clock, so that one sender's next call is above its last one without a file. */
+static bool send_command(sender *s, exk_command command)
+{
+    unsigned char buffer[EXK_WIRE_COMMAND_MAX];
+    const int64_t now_us = exk_wall_us();
+    s->last_seq = now_us > s->last_seq ? now_us : s->last_seq + 1;
+    exk_wire_command m = {.run_id = s->status.stamp.run_id,
+                          .seq = s->last_seq,
+                          .utime_us = now_us,
+                          .command = (int8_t)command};
+    exk_command_sign(&m, &s->key);
+    const int bytes = exk_wire_command_encode(&m, buffer, sizeof buffer);
+    return bytes > 0 && exk_bus_send(s->bus, EXK_CHANNEL_COMMAND, buffer, (size_t)bytes);
+}
+
+static bool wait_for_controller(sender *s)
+{
+    const int64_t until_us = exk_wall_us() + hear_us;
+    while (!s->has_status && stop_signal == 0 && exk_wall_us() < until_us) {
+        if (exk_bus_wait(s->bus, 100) < 0) {
+            return false;
+        }
+    }
+    return s->has_status;
+}
+
+static int64_t refused(const exk_command_counts *counts)
+{
+    int64_t n = 0;
+    for (int i = 0; i < EXK_REFUSED_COUNT; i++) {
+        n += counts->n_refused[i];
+    }
+    return n;
+}
+
+static void say_refusal(const exk_command_counts *before, const exk_command_counts *after)
+{
+    for (int i = 0; i < EXK_REFUSED_COUNT; i++) {
+        if (after->n_refused[i] > before->n_refused[i]) {
+            fprintf(stderr, "exk-command: refused: %s\n", exk_refusal_name((exk_refusal)i));
+        }
+    }
+}
+
+/* The controller says nothing to a sender but its counts; others' commands count there as well. */
+static int wait_for_reply(sender *s, const exk_command_counts *before)
+{
+    const int64_t until_us = exk_wall_us() + reply_us;
+    const exk_command_counts *now = &s->status.bus.command;
+    while (stop_signal == 0 && exk_wall_us() < until_us) {
+        if (now->n_taken > before->n_taken) {
+            return 0;
+        }
+        if (refused(now) > refused(before)) {
+            say_refusal(before, now);
+            return EXIT_REFUSED;
+        }
+        exk_bus_wait(s->bus, 50);
+    }
+    return complain(EXIT_REFUSED, "no reply: does the profile of this run say allow = yes in "
+                                  "[command], and is it a real-time run?");
+}
+
+static int keep_on(const command_options *options, sender *s)
+{
+    int64_t next_us = exk_wall_us();
+    while (stop_signal == 0 && !s->status.last) {
+        if (exk_wall_us() >= next_us) {
+            next_us = exk_wall_us() + (int64_t)(options->keep_s * 1e6);
+            if (!send_command(s, EXK_COMMAND_ALIVE)) {
+                return complain(EXIT_IO, "the bus refuses messages: exk-doctor finds out why");
+            }
+        }
+        exk_bus_wait(s->bus, (int)(options->keep_s * 500.0) + 1);
+    }
+    if (!options->quiet && stop_signal != 0) {
+        fprintf(stderr, "exk-command: no more alive from here: the controller holds when its "
+                        "timeout_s has passed\n");
+    }
+    return 0;
+}
+
+static int converse(const command_options *options, sender *s)
+{
+    if (!wait_for_controller(s)) {
+        return complain(EXIT_IO,
+                        "no controller is heard: is exk-loop running, and on this URL?");
+    }
+    const exk_command_counts before = s->status.bus.command;
+    if (!send_command(s, options->command)) {
+        return complain(EXIT_IO, "the bus refuses messages: exk-doctor finds out why");
+    }
+    const int code = wait_for_reply(s, &before);
+    if (code != 0) {
+        return code;
+    }
+    printf("%s: taken by run %" PRId64 ", state %s\n", exk_command_name(options->command),
+           s->status.stamp.run_id, exk_state_name(s->status.state));
+    fflush(stdout);
+    return options->keep_s > 0.0 ? keep_on(options, s) : 0;
+}
+
+static int command(const command_options *options)
+{
+    static sender s;
+    char why[WHY_MAX];
+    char url[WHY_MAX];
+    if (!exk_key_load(options->key_path, &s.key, why, sizeof why)) {
+        return complain(EXIT_INPUT, why);
+    }
+    exk_bus_url(options->url, url, sizeof url);
+    s.bus = exk_bus_open(url, true, why, sizeof why);
+    if (s.bus == NULL ||
+        !exk_bus_listen(s.bus, EXK_CHANNEL_STATUS, hear, &s, why, sizeof why)) {
+        exk_bus_close(s.bus);
+        return complain(EXIT_IO, why);
+    }
+    const int code = converse(options, &s);
+    exk_bus_close(s.bus);
+    exk_key_wipe(&s.key);
+    return code;
+}
+
+int main(int argc, char **argv)
+{
+    command_options options;
+    char why[WHY_MAX];
+    command_options_parse(argc, argv, &options);
+    catch_signals();
+    if (!options.keygen) {
+        return command(&options);
+    }
+    if (!exk_key_make(options.key_path, why, sizeof why)) {
+        return complain(EXIT_IO, why);
+    }
+    printf("%s: a new key, mode 0600; name it in key_file of [command] and with --key\n",
+           options.key_path);
+    return 0;
+}

@@ -1,0 +1,136 @@
+#include "server.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+static const int64_t silence_us = 1000000;
+
+static void answer(twin_server *s, const exk_wire_drive *drive)
+{
+    unsigned char buffer[EXK_WIRE_SENSOR_MAX];
+    s->answer.stamp.run_id = s->run_id;
+    s->answer.stamp.seq = s->seq++;
+    s->answer.stamp.k = drive->stamp.k;
+    s->answer.stamp.time_us = drive->stamp.time_us;
+    s->answer.drive_seq = drive->stamp.seq;
+    s->answer.machine_id = s->machine_id;
+    const int bytes = exk_wire_sensor_encode(&s->answer, buffer, sizeof buffer);
+    if (bytes > 0) {
+        exk_bus_send(s->bus, EXK_CHANNEL_SENSOR, buffer, (size_t)bytes);
+    }
+}
+
+static void end_run(twin_server *s, const char *how)
+{
+    s->busy = false;
+    s->over = true;
+    if (!s->quiet) {
+        fprintf(stderr,
+                "exk-twin: run %" PRId64 " %s: %" PRId64
+                " ticks answered; of its commands %" PRId64 " were lost, %" PRId64
+                " repeated, %" PRId64 " out of order; %" PRId64 " messages were none of its\n",
+                s->run_id, how, s->n_ticks, s->arrivals.n_lost, s->arrivals.n_repeated,
+                s->arrivals.n_reordered, s->n_not_ours);
+    }
+}
+
+static void refuse(twin_server *s, int64_t run_id)
+{
+    s->n_not_ours++;
+    if (!s->quiet && s->refused_run != run_id) {
+        fprintf(stderr,
+                "exk-twin: run %" PRId64 " is refused: run %" PRId64 " drives this machine\n",
+                run_id, s->run_id);
+    }
+    s->refused_run = run_id;
+}
+
+static void begin_run(twin_server *s, const exk_wire_drive *hello)
+{
+    const exk_err err = exk_rig_start_machine(s->rig, hello->which, &s->machine);
+    if (err != EXK_OK) {
+        fprintf(stderr, "exk-twin: the machine cannot be set up: %s\n", exk_err_name(err));
+        return;
+    }
+    s->busy = true;
+    s->over = false;
+    s->run_id = hello->stamp.run_id;
+    s->seq = 0;
+    s->n_ticks = 0;
+    s->n_not_ours = 0;
+    s->is_silent = false;
+    s->answer = (exk_wire_sensor){.stamp.k = -1};
+    exk_arrivals_init(&s->arrivals);
+    if (!s->quiet) {
+        fprintf(stderr,
+                "exk-twin: run %" PRId64 " begins, series %" PRIu32 " run %" PRIu32 "\n",
+                s->run_id, hello->which.series, hello->which.run);
+    }
+}
+
+static void move(twin_server *s, const exk_wire_drive *drive)
+{
+    exk_reading reading = {.fresh = false};
+    const exk_err err =
+        s->machine.exchange(s->machine.ctx, drive->stamp.k, &drive->drive, &reading);
+    s->n_ticks++;
+    s->is_silent = err != EXK_OK || !reading.fresh;
+    s->answer.stamp.k = drive->stamp.k;
+    s->answer.has_true = reading.has_true;
+    memcpy(s->answer.measured_rad, reading.measured_rad, sizeof s->answer.measured_rad);
+    memcpy(s->answer.true_rad, reading.true_rad, sizeof s->answer.true_rad);
+}
+
+static void step(twin_server *s, const exk_wire_drive *drive)
+{
+    if (drive->stamp.k < s->answer.stamp.k) {
+        s->n_not_ours++; /* the machine is past it */
+        return;
+    }
+    if (drive->stamp.k > s->answer.stamp.k) {
+        move(s, drive);
+    }
+    if (!s->is_silent) {
+        answer(s, drive);
+    }
+}
+
+static void obey(twin_server *s, const exk_wire_drive *drive)
+{
+    exk_arrivals_take(&s->arrivals, drive->stamp.seq);
+    if (drive->kind == EXK_DRIVE_BYE) {
+        end_run(s, "ended");
+    } else if (drive->kind == EXK_DRIVE_STEP) {
+        step(s, drive);
+    } else if (s->n_ticks == 0) {
+        answer(s, drive);
+    }
+}
+
+void twin_server_receive(void *ctx, const char *channel, const void *data, size_t bytes,
+                         int64_t received_us)
+{
+    twin_server *s = ctx;
+    exk_wire_drive drive;
+    (void)channel;
+    if (!exk_wire_drive_decode(data, bytes, &drive)) {
+        s->n_not_ours++;
+        return;
+    }
+    const bool ours = s->busy && drive.stamp.run_id == s->run_id;
+    if (!ours && s->busy && received_us - s->heard_us < silence_us) {
+        refuse(s, drive.stamp.run_id);
+        return;
+    }
+    if (!ours && s->busy) {
+        end_run(s, "fell silent");
+    }
+    if (!ours && drive.kind == EXK_DRIVE_HELLO) {
+        begin_run(s, &drive);
+    }
+    if (s->busy && drive.stamp.run_id == s->run_id) {
+        s->heard_us = received_us;
+        obey(s, &drive);
+    }
+}

@@ -1,0 +1,39 @@
+/** The ticks of one run: fast, paced, and paced with a machine on the bus.
+ *
+ *  Bus      tick k sends q[k] and, when tick k + 1 begins, takes the answer: the same equations as with
+ *           a machine in the process, and one sleep a tick.
+ *  Control  everything here runs on the control thread: no allocation, no system call but the sleep.
+ */
+#ifndef EXK_LOOP_TICKS_H
+#define EXK_LOOP_TICKS_H
+
+#include <signal.h>
+
+#include "exk/command.h"
+#include "exk/link.h"
+#include "exk/realtime.h"
+#include "exk/rig.h"
+#include "exk/telemetry.h"
+#include "progress.h"
+
+typedef struct {
+    exk_rig *rig;
+    exk_publisher *publisher;
+    exk_link *link;   /* NULL: the machine is in the process, or a log */
+    exk_inbox *inbox; /* NULL: no commands */
+    const volatile sig_atomic_t *stop_signal;
+    exk_pacer pacer;
+    exk_histogram lateness;
+    exk_histogram step_time;
+    loop_progress progress;
+    exk_record record;
+    int64_t k_fault;   /* tick of the fault, -1: none */
+    int64_t k_rest;    /* tick on which nothing moved any more, -1: none */
+    int64_t k_command; /* tick of the last valid command */
+    bool fast;
+} loop_ticks;
+
+/** Runs to the end of the job, a fault that came to rest, or a signal. */
+void loop_ticks_run(loop_ticks *t);
+
+#endif

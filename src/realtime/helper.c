@@ -1,0 +1,26 @@
+#define _POSIX_C_SOURCE 200809L
+#include <sched.h>
+#include <signal.h>
+
+#include "exk/realtime.h"
+
+enum { STACK_BYTES = 1024 * 1024 };
+
+int exk_helper_start(pthread_t *thread, void *(*work)(void *ctx), void *ctx)
+{
+    pthread_attr_t attr;
+    sigset_t all;
+    sigset_t before;
+    const struct sched_param ordinary = {.sched_priority = 0};
+    pthread_attr_init(&attr);
+    pthread_attr_setinheritsched(&attr, PTHREAD_EXPLICIT_SCHED);
+    pthread_attr_setschedpolicy(&attr, SCHED_OTHER);
+    pthread_attr_setschedparam(&attr, &ordinary);
+    pthread_attr_setstacksize(&attr, STACK_BYTES);
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before);
+    const int error = pthread_create(thread, &attr, work, ctx);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    pthread_attr_destroy(&attr);
+    return error;
+}
