@@ -94,7 +94,7 @@ static error_t parse_input(int key, char *arg, struct argp_state *state, log_opt
         out->url = arg;
         return 0;
     case KEY_FROM:
-        out->from = arg;
+        out->from = exk_args_name(state, "--from", arg);
         return 0;
     case KEY_SECONDS:
         out->seconds = exk_args_positive(state, "--seconds", arg, "seconds");
@@ -117,7 +117,7 @@ static error_t parse_output(int key, char *arg, struct argp_state *state, log_op
         out->json_path = arg != NULL ? arg : "-";
         return 0;
     case KEY_CSV:
-        out->csv_path = arg;
+        out->csv_path = exk_args_name(state, "--csv", arg);
         return 0;
     case KEY_PLOT:
         exk_plot_list_add(&out->plots, state, arg);
@@ -137,7 +137,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         if (out->log_path != NULL) {
             argp_error(state, "one LOG is allowed, found a second: %s", arg);
         }
-        out->log_path = arg;
+        out->log_path = exk_args_name(state, "LOG", arg);
         return 0;
     }
     if (key == ARGP_KEY_END) {

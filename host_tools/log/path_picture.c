@@ -8,9 +8,11 @@
 #include "gnuplot.h"
 #include "path_points.h"
 
-enum { WIDTH = 1100, HEIGHT = 1000 };
+enum { WIDTH = 1100, HEIGHT = 1000, MAX_IDS = 60 };
 #define REFERENCE_COLOUR "#8a8a8a"
 #define DRILLED_COLOUR "#0072B2"
+#define ID_COLOUR "#444444"
+#define BAND_COLOUR "#9ccbe8" /* DRILLED_COLOUR on white */
 #define JUDGED_COLOUR "#D55E00"
 #define TEXT_COLOUR "#222222"
 
@@ -28,7 +30,7 @@ static const double smallest_extent_mm = 1e-3;
 
 typedef struct {
     const exk_run_log *log;
-    path_points path;
+    path_points points;
     double low_mm[2];
     double high_mm[2];
     double enlarged;
@@ -39,9 +41,9 @@ static void find_extent(picture *p)
     for (int j = 0; j < 2; j++) {
         p->low_mm[j] = INFINITY;
         p->high_mm[j] = -INFINITY;
-        for (size_t i = 0; i < p->path.n_points; i++) {
-            p->low_mm[j] = fmin(p->low_mm[j], p->path.points[i].ref_mm[j]);
-            p->high_mm[j] = fmax(p->high_mm[j], p->path.points[i].ref_mm[j]);
+        for (size_t i = 0; i < p->points.path.n; i++) {
+            p->low_mm[j] = fmin(p->low_mm[j], p->points.path.at[i].ref_mm[j]);
+            p->high_mm[j] = fmax(p->high_mm[j], p->points.path.at[i].ref_mm[j]);
         }
     }
 }
@@ -56,7 +58,7 @@ static double extent_mm(const picture *p)
 static double enlargement(const picture *p)
 {
     static const double steps[] = {1.0, 2.0, 5.0};
-    const double most = share_of_extent * extent_mm(p) / p->path.worst_mm;
+    const double most = share_of_extent * extent_mm(p) / p->points.worst_mm;
     if (!(most > 1.0) || !isfinite(most)) {
         return 1.0;
     }
@@ -68,28 +70,16 @@ static double enlargement(const picture *p)
     return best;
 }
 
-static void put_block(FILE *out, const char *name, const path_points *path, bool judged_only)
+static void put_block(FILE *out, const char *name, const path_list *list)
 {
     fprintf(out, "%s << EOD\n", name);
-    for (size_t i = 0; i < path->n_points; i++) {
-        const path_point *p = &path->points[i];
-        if (p->judged || !judged_only) {
-            fprintf(out, "%.6f %.9g %.9g %.9g %.9g %.9g\n", p->time_s, p->ref_mm[0],
-                    p->ref_mm[1], p->tip_mm[0] - p->ref_mm[0], p->tip_mm[1] - p->ref_mm[1],
-                    p->radial_mm);
-        }
+    for (size_t i = 0; i < list->n; i++) {
+        const path_point *p = &list->at[i];
+        fprintf(out, "%.6f %.9g %.9g %.9g %.9g %.9g %.9g %.9g\n", p->time_s, p->ref_mm[0],
+                p->ref_mm[1], p->off_mm[0], p->off_mm[1], p->radial_mm[0], p->radial_mm[1],
+                p->radial_mm[2]);
     }
     fputs("EOD\n", out);
-}
-
-static bool has_judged(const path_points *path)
-{
-    for (size_t i = 0; i < path->n_points; i++) {
-        if (path->points[i].judged) {
-            return true;
-        }
-    }
-    return false;
 }
 
 static void put_style(FILE *out)
@@ -128,13 +118,23 @@ static void set_ranges(FILE *out, const picture *p)
     }
 }
 
-static void put_ids(FILE *out, const exk_run_log *log)
+/* Each id on the side of its hole where the drilled mark is not. */
+static void put_ids(FILE *out, const picture *p)
 {
-    for (size_t i = 0; i < log->n_holes && log->n_holes <= 60; i++) {
+    const exk_run_log *log = p->log;
+    for (size_t i = 0; i < log->n_holes && log->n_holes <= MAX_IDS; i++) {
+        double side[2] = {1.0, 1.0};
+        for (size_t j = 0; j < p->points.judged.n; j++) {
+            const path_point *judged = &p->points.judged.at[j];
+            for (int axis = 0; axis < 2 && judged->hole_id == log->holes[i].id; axis++) {
+                side[axis] = judged->off_mm[axis] > 0.0 ? -1.0 : 1.0;
+            }
+        }
         fprintf(out,
-                "set label '%" PRId32 "' at %.9g,%.9g offset 1.8,1.2 front tc rgb '#444444'\n",
+                "set label '%" PRId32 "' at %.9g,%.9g center offset %g,%g front tc rgb "
+                "'" ID_COLOUR "'\n",
                 log->holes[i].id, EXK_MM_PER_M * log->holes[i].target_m[0],
-                EXK_MM_PER_M * log->holes[i].target_m[1]);
+                EXK_MM_PER_M * log->holes[i].target_m[1], 2.4 * side[0], 1.2 * side[1]);
     }
 }
 
@@ -152,39 +152,61 @@ static void put_title(FILE *out, const exk_run_log *log)
             left);
 }
 
+/* What the blue line is: on which tip, of which samples, how much enlarged. */
+static void put_path_name(FILE *out, const picture *p)
+{
+    fprintf(out, "%s path", p->points.on_true ? "true" : "estimated");
+    if (p->points.stretch > 1) {
+        fprintf(out, ", 1 sample in %" PRId64, p->points.stretch);
+    }
+    if (p->enlarged > 1.0) {
+        fprintf(out, ", error enlarged %g times", p->enlarged);
+    }
+}
+
 static void draw_path(FILE *out, const picture *p)
 {
-    const char *which = p->path.on_true ? "true" : "estimated";
     put_title(out, p->log);
-    put_ids(out, p->log);
+    put_ids(out, p);
     set_box(out, path_bottom, path_top);
     set_ranges(out, p);
     fputs("set xlabel 'x mm'\nset ylabel 'y mm'\n", out);
     fprintf(out,
-            "plot $path using 2:3 with lines lw 1.2 lc rgb '" REFERENCE_COLOUR
-            "' title 'reference', "
-            "$path using ($2+%.9g*$4):($3+%.9g*$5) with lines lw 1.2 lc rgb '" DRILLED_COLOUR
-            "' title '%s path, error enlarged %g times'",
-            p->enlarged, p->enlarged, which, p->enlarged);
-    if (has_judged(&p->path)) {
-        fprintf(out,
-                ", $judged using ($2+%.9g*$4):($3+%.9g*$5) with points pt 7 ps 0.8 lc rgb "
-                "'" JUDGED_COLOUR "' title 'drilled here'",
-                p->enlarged, p->enlarged);
+            "plot $path using ($2+%.9g*$4):($3+%.9g*$5) with lines lw 0.8 lc rgb "
+            "'" DRILLED_COLOUR "' title '",
+            p->enlarged, p->enlarged);
+    put_path_name(out, p);
+    fputs("', $path using 2:3 with lines lw 1.2 lc rgb '" REFERENCE_COLOUR
+          "' title 'reference'",
+          out);
+    if (p->points.judged.n > 0) {
+        fprintf(
+            out,
+            ", $judged using ($2+%.9g*$4):($3+%.9g*$5) with points pt 7 ps 0.8*mark_size lc "
+            "rgb '" JUDGED_COLOUR "' title 'drilled here'",
+            p->enlarged, p->enlarged);
     }
     fputc('\n', out);
 }
 
+/* Where a point stands for many samples: a band from least to most, and their mean. */
 static void draw_error(FILE *out, const picture *p)
 {
     set_box(out, error_bottom, error_top);
     fputs("unset label\nset xlabel 'time s'\nset ylabel 'radial error mm'\n"
-          "set xrange [*:*]\nset yrange [0:*]\n"
-          "plot $path using 1:6 with lines lw 1.2 lc rgb '" DRILLED_COLOUR
-          "' title 'off the reference'",
+          "set yrange [0:*]\n",
           out);
-    if (has_judged(&p->path)) {
-        fputs(", $judged using 1:6 with points pt 7 ps 0.8 lc rgb '" JUDGED_COLOUR
+    fprintf(out, "set xrange [*:%.9g] noextend\nplot ", p->points.last.time_s + p->log->dt_s);
+    if (p->points.stretch > 1) {
+        fprintf(out,
+                "$path using 1:6:8 with filledcurves fs solid noborder lc rgb '" BAND_COLOUR
+                "' title 'least to most of %" PRId64 " samples', ",
+                p->points.stretch);
+    }
+    fprintf(out, "$path using 1:7 with lines lw 1 lc rgb '" DRILLED_COLOUR "' title '%s'",
+            p->points.stretch > 1 ? "mean" : "off the reference");
+    if (p->points.judged.n > 0) {
+        fputs(", $judged using 1:7 with points pt 7 ps 0.8*mark_size lc rgb '" JUDGED_COLOUR
               "' title 'judged'",
               out);
     }
@@ -199,8 +221,8 @@ static void draw_error(FILE *out, const picture *p)
 static void draw(FILE *out, const void *ctx)
 {
     const picture *p = ctx;
-    put_block(out, "$path", &p->path, false);
-    put_block(out, "$judged", &p->path, true);
+    put_block(out, "$path", &p->points.path);
+    put_block(out, "$judged", &p->points.judged);
     put_style(out);
     draw_path(out, p);
     draw_error(out, p);
@@ -212,22 +234,23 @@ static void add_point(void *ctx, const exk_wire_pose *pose)
 }
 
 /* A second pass over the log: now it is known how many samples share a point. */
-static bool collect(const exk_run_log *log, const char *log_path, path_points *path, char *why,
-                    size_t why_size)
+static bool collect(const exk_run_log *log, const char *log_path, path_points *points,
+                    char *why, size_t why_size)
 {
     exk_run_log again;
-    if (!path_points_init(path, log->n_poses, log->n_holes)) {
-        snprintf(why, why_size, "no memory for the points of a picture");
-        return false;
-    }
+    path_points_init(points, log->n_poses);
     exk_run_log_init(&again);
     again.only_run_id = log->run_id;
     again.keep_none = true;
     again.on_pose = add_point;
-    again.ctx = path;
+    again.ctx = points;
     const bool ok = exk_run_log_read(&again, log_path, why, why_size);
     exk_run_log_free(&again);
-    return ok;
+    path_points_end(points);
+    if (ok && points->failed) {
+        snprintf(why, why_size, "no memory for the points of a picture");
+    }
+    return ok && !points->failed;
 }
 
 int path_picture_write(const exk_run_log *log, const char *log_path, const char *path,
@@ -239,11 +262,11 @@ int path_picture_write(const exk_run_log *log, const char *log_path, const char 
         snprintf(why, why_size, "%s: no sample was seen: there is no path to draw", path);
         return 2;
     }
-    if (collect(log, log_path, &p.path, why, why_size)) {
+    if (collect(log, log_path, &p.points, why, why_size)) {
         find_extent(&p);
         p.enlarged = enlargement(&p);
         code = exk_plot_write(path, WIDTH, HEIGHT, draw, &p, why, why_size);
     }
-    path_points_free(&p.path);
+    path_points_free(&p.points);
     return code;
 }
