@@ -129,9 +129,10 @@ static picture_point place_id(const hole_report *report, const picture_layout *l
     const exk_hole_result *r = &report->results[i];
     const picture_point hole = picture_hole(report, i);
     const double px = layout->map[0].mm_per_px;
-    const double away = circle_mm(report, layout) + ID_GAP_PX * px;
-    const double own = picture_has_point(r) ? atan2(r->dy_m, r->dx_m) : -0.5 * EXK_PI;
     placed label = {hole, id_half_mm(report, layout, i), 6.0 * px};
+    const double off_the_mark = fmax(label.half_w, label.half_h) + (POINT_PX + 1.0) * px;
+    const double away = fmax(circle_mm(report, layout) + ID_GAP_PX * px, off_the_mark);
+    const double own = picture_has_point(r) ? atan2(r->dy_m, r->dx_m) : -0.5 * EXK_PI;
     picture_point best = {NAN, NAN};
     double best_cost = ID_COST_MAX;
     for (int turn = 0; turn < 16; turn++) {

@@ -195,6 +195,21 @@ static bool picture_says(const char *words)
     return strstr(text, words) != NULL;
 }
 
+/* Marks right on their small circles: the id stands beside them, not on them, and is not left out. */
+static void a_hole_alone_has_its_id(void)
+{
+    make_grid(2, 2, 300, 200, 40);
+    judge(0, 5e-3, 5e-3);
+    judge(1, 20e-6, 0.0);
+    judge(2, 0.0, 60e-6);
+    judge(3, -150e-6, 100e-6);
+    finish(4);
+    picture_layout_make(&report, &layout);
+    for (size_t i = 0; i < 4; i++) {
+        TEST_ASSERT_TRUE(isfinite(layout.ids[i].x_mm) && isfinite(layout.ids[i].y_mm));
+    }
+}
+
 static void holes_without_a_position_are_marked_as_such(void)
 {
     make_grid(2, 3, 300, 200, 40);
@@ -238,6 +253,7 @@ int main(void)
     RUN_TEST(every_job_fits);
     RUN_TEST(circles_can_be_seen);
     RUN_TEST(the_label_of_the_worst_hole_covers_no_point);
+    RUN_TEST(a_hole_alone_has_its_id);
     RUN_TEST(holes_without_a_position_are_marked_as_such);
     RUN_TEST(lost_samples_are_said_in_the_picture);
     RUN_TEST(a_name_is_never_run);
