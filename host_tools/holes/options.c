@@ -79,7 +79,7 @@ static error_t parse_output(int key, char *arg, struct argp_state *state, holes_
         out->json_path = arg != NULL ? arg : "-";
         return 0;
     case KEY_CSV:
-        out->csv_path = arg;
+        out->csv_path = exk_args_name(state, "--csv", arg);
         return 0;
     case KEY_PLOT:
         exk_plot_list_add(&out->plots, state, arg);
@@ -126,7 +126,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
                        "as --json=FILE)",
                        arg);
         }
-        out->log_path = arg;
+        out->log_path = exk_args_name(state, "LOG", arg);
         return 0;
     }
     if (key == ARGP_KEY_END) {

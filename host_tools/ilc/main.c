@@ -1,3 +1,4 @@
+#include "exk/args.h"
 #include "ilc_tool.h"
 
 int main(int argc, char **argv)
@@ -10,5 +11,6 @@ int main(int argc, char **argv)
     };
     ilc_options options;
     ilc_options_parse(argc, argv, &options);
-    return run[options.command](&options);
+    const int code = run[options.command](&options);
+    return exk_args_stdout_is_whole("exk-ilc") ? code : ILC_IO;
 }

@@ -84,7 +84,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     ilc_options *out = state->input;
     switch (key) {
     case 'o':
-        out->output = arg;
+        out->output = exk_args_name(state, "--output", arg);
         return 0;
     case 'n':
         out->n_runs = (uint32_t)exk_args_whole(state, "-n", arg, 1, 100000);

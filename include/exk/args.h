@@ -1,4 +1,4 @@
-/** Numbers on a command line: said clearly when they are wrong (exit through argp_error).
+/** Numbers and names on a command line: said clearly when they are wrong (exit through argp_error).
  *
  *  what    the option with its dashes, for the message: "--seconds".
  */
@@ -6,6 +6,7 @@
 #define EXK_ARGS_H
 
 #include <argp.h>
+#include <stdbool.h>
 #include <stdint.h>
 
 /** A whole number from min to max. */
@@ -15,5 +16,11 @@ uint64_t exk_args_whole(const struct argp_state *state, const char *what, const 
 /** A finite number above 0; unit is what the message calls it, "seconds". */
 double exk_args_positive(const struct argp_state *state, const char *what, const char *arg,
                          const char *unit);
+
+/** The name of a file: arg itself, unless it is empty. */
+char *exk_args_name(const struct argp_state *state, const char *what, char *arg);
+
+/** At the end of a program: whatever was printed has arrived, or it is said and false is returned. */
+bool exk_args_stdout_is_whole(const char *program);
 
 #endif

@@ -88,10 +88,10 @@ static error_t parse_value(int key, char *arg, struct argp_state *state, loop_op
 {
     switch (key) {
     case 'r':
-        out->record_path = arg;
+        out->record_path = exk_args_name(state, "--record", arg);
         return 0;
     case KEY_ILC:
-        out->ilc_path = arg;
+        out->ilc_path = exk_args_name(state, "--ilc", arg);
         return 0;
     case KEY_URL:
         out->url = arg;
@@ -120,7 +120,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         if (out->profile_path != NULL) {
             argp_error(state, "one PROFILE is allowed, found a second: %s", arg);
         }
-        out->profile_path = arg;
+        out->profile_path = exk_args_name(state, "PROFILE", arg);
         return 0;
     }
     if (key == ARGP_KEY_NO_ARGS) {

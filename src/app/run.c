@@ -222,6 +222,7 @@ static int finish(const loop_options *options, loop_ticks *r)
         .k_fault = r->k_fault,
         .n_missed = r->pacer.n_missed,
         .signal = stop_signal,
+        .has_log = options->record_path != NULL && summary.file_ok,
         .lateness = r->fast ? NULL : &r->lateness,
         .step_time = r->fast ? NULL : &r->step_time,
     };

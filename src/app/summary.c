@@ -64,7 +64,8 @@ void loop_summary_print(const loop_ending *ending, bool quiet)
         print_fault(ending);
     }
     if (ending->signal != 0) {
-        fprintf(stderr, "exk-loop: stopped by %s at tick %" PRId64 "; the log is complete\n",
-                strsignal(ending->signal), ending->record->sample.k);
+        fprintf(stderr, "exk-loop: stopped by %s at tick %" PRId64 "%s\n",
+                strsignal(ending->signal), ending->record->sample.k,
+                ending->has_log ? "; the log is complete" : "");
     }
 }

@@ -16,6 +16,7 @@ typedef struct {
     int64_t k_fault;
     int64_t n_missed;
     int signal;
+    bool has_log;                  /* a log was asked for, and is whole */
     const exk_histogram *lateness; /* NULL in fast mode */
     const exk_histogram *step_time;
 } loop_ending;

@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,4 +31,24 @@ double exk_args_positive(const struct argp_state *state, const char *what, const
         argp_error(state, "%s %s: a number of %s above 0 is allowed", what, arg, unit);
     }
     return value;
+}
+
+char *exk_args_name(const struct argp_state *state, const char *what, char *arg)
+{
+    if (arg[0] == '\0') {
+        argp_error(state, "%s: the name is empty", what);
+    }
+    return arg;
+}
+
+bool exk_args_stdout_is_whole(const char *program)
+{
+    errno = 0;
+    const bool flushed = fflush(stdout) == 0;
+    if (flushed && !ferror(stdout)) {
+        return true;
+    }
+    fprintf(stderr, "%s: standard output: could not be written: %s\n", program,
+            strerror(errno != 0 ? errno : EIO));
+    return false;
 }

@@ -2,6 +2,10 @@
 . "$(dirname "$0")/common.sh"
 expect_code 2 "$bin/exk-loop"
 expect_part err "a PROFILE is missing"
+expect_code 2 "$bin/exk-loop" ""
+expect_text err "exk-loop: PROFILE: the name is empty"
+expect_code 2 "$bin/exk-loop" "$profiles/rectangle.ini" --fast -r ""
+expect_text err "exk-loop: --record: the name is empty"
 expect_code 3 "$bin/exk-loop" nowhere.ini
 expect_text err "nowhere.ini: cannot be opened: No such file or directory"
 
