@@ -1,7 +1,7 @@
 /** A profile: one experiment, one INI text, checked as a whole.
  *
- *  Text    [machine] [kinematics] [job] [disturbance.N] [sensor] [control] [loop] [telemetry]
- *          [command].
+ *  Text    [machine] [kinematics] [job] [disturbance.N] [sensor] [control] [loop] [guard] [limits]
+ *          [fault.N] [telemetry] [command].
  *          Keys carry their unit (tolerance_mm); values here are SI. One table of keys gives the
  *          parser, the range checks, the defaults, --print, the job hash and the manual page.
  *  Errors  every fault of a text is collected, each with line, key, what was found and what is
@@ -20,6 +20,7 @@
 #include "exk/geometry.h"
 #include "exk/hole.h"
 #include "exk/ilc.h"
+#include "exk/inject.h"
 #include "exk/job.h"
 #include "exk/kinematics.h"
 #include "exk/plan.h"
@@ -63,6 +64,25 @@ typedef struct {
 } exk_telemetry_config;
 
 typedef struct {
+    double
+        sigma_rad; /* of the innovation of a good sample; 0: what sensor and disturbances give */
+    double n_sigmas; /* of a spike, INFINITY: not judged */
+    double stuck_s;  /* 0: not judged */
+    double retract_after_s;
+} exk_guard_keys;
+
+typedef struct {
+    double following_rad;
+    double following_time_s;
+    double correction_rad;
+    double rate_radps;
+    double leg_speed_mps;
+    double leg_margin_m; /* kept from both ends of the stroke (machine) */
+    double box_min_m[3];
+    double box_max_m[3];
+} exk_limits_keys;
+
+typedef struct {
     bool allow;
     char key_file[EXK_PATH_MAX]; /* relative to the profile's folder */
     double timeout_s;            /* hold without a valid command for so long; 0: never */
@@ -80,6 +100,9 @@ typedef struct {
     exk_feedback_config feedback;
     exk_ilc_config ilc;
     exk_timing_config timing;
+    exk_guard_keys guard;
+    exk_limits_keys limits;
+    exk_inject_config inject;
     exk_telemetry_config telemetry;
     exk_command_config command;
 } exk_profile;

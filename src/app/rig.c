@@ -203,45 +203,10 @@ int exk_rig_open_text(exk_rig *rig, const char *name, const char *text, const ex
 void exk_rig_close(exk_rig *rig)
 {
     exk_replay_close(&rig->replay);
+    free(rig->captured);
     free(rig->segments);
     free(rig->holes);
     *rig = (exk_rig){.n_holes = 0};
-}
-
-static exk_source source_of(exk_rig *rig)
-{
-    if (rig->from == EXK_FROM_REPLAY) {
-        exk_replay_rewind(&rig->replay);
-        return exk_replay_source(&rig->replay);
-    }
-    return rig->from == EXK_FROM_BUS ? rig->bus : exk_twin_source(&rig->twin);
-}
-
-exk_err exk_rig_start(exk_rig *rig, exk_realisation which,
-                      const double *const u_rad[EXK_N_AXES], size_t n_u)
-{
-    const exk_profile *profile = &rig->profile;
-    exk_loop_config cfg = {.kin = &rig->kin,
-                           .plan = &rig->plan,
-                           .source = source_of(rig),
-                           .feedback = profile->feedback,
-                           .n_u = u_rad == NULL ? 0 : n_u,
-                           .angle_max_rad = profile->geometry.angle_max_rad,
-                           .n_bad_max = profile->timing.n_bad_max};
-    for (int i = 0; i < EXK_N_AXES && u_rad != NULL; i++) {
-        cfg.u_rad[i] = u_rad[i];
-    }
-    const exk_err err = exk_twin_init(&rig->twin, &profile->twin, which);
-    return err != EXK_OK ? err : exk_loop_init(&rig->loop, &cfg);
-}
-
-exk_err exk_rig_start_machine(exk_rig *rig, exk_realisation which, exk_source *out)
-{
-    const exk_err err = exk_twin_init(&rig->twin, &rig->profile.twin, which);
-    if (err == EXK_OK) {
-        *out = exk_twin_source(&rig->twin);
-    }
-    return err;
 }
 
 int64_t exk_rig_run_id(const exk_rig *rig, exk_realisation which)

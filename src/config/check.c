@@ -72,8 +72,8 @@ static void check_required(exk_profile_reader *r)
 {
     for (size_t i = 0; i < exk_key_count(); i++) {
         const exk_key *key = exk_key_at(i);
-        const bool many = key->section == EXK_IN_DISTURBANCE;
-        for (int n = 0; key->required && n < EXK_MAX_DISTURBANCES; n++) {
+        const bool many = exk_section_of(key->section)->stem != NULL;
+        for (int n = 0; key->required && n < EXK_INSTANCES_MAX; n++) {
             const bool asked = many ? r->section_line[n][key->section] != 0 : n == 0;
             if (asked && r->key_line[n][i] == 0) {
                 say_missing(r, key, n);
@@ -345,6 +345,35 @@ static void check_ring(exk_profile_reader *r)
     }
 }
 
+static void check_box(exk_profile_reader *r)
+{
+    static const char *const names[] = {"x_min_mm", "y_min_mm", "z_min_mm"};
+    const exk_limits_keys *limits = &r->profile.limits;
+    for (int i = 0; i < 3; i++) {
+        if (!(limits->box_min_m[i] < limits->box_max_m[i])) {
+            exk_faults_add(&r->faults, line_of(r, EXK_IN_LIMITS, 0, names[i]),
+                           "[limits] %s: not below its max: found %s, allowed: below %s mm",
+                           names[i], show(limits->box_min_m[i] * EXK_MM_PER_M).text,
+                           show(limits->box_max_m[i] * EXK_MM_PER_M).text);
+        }
+    }
+}
+
+static void check_delays(exk_profile_reader *r)
+{
+    const double most_s = EXK_INJECT_DELAY_MAX * r->profile.timing.dt_s;
+    for (int n = 0; n < EXK_MAX_INJECTED; n++) {
+        const exk_inject_fault *fault = &r->profile.inject.fault[n];
+        if (fault->kind == EXK_INJECT_DELAY && !(fault->delay_s <= most_s)) {
+            exk_faults_add(&r->faults, line_of(r, EXK_IN_FAULT, n, "delay_s"),
+                           "[fault.%d] delay_s: out of range: found %s, allowed: up to %d "
+                           "ticks = %s s",
+                           n + 1, show(fault->delay_s).text, (int)EXK_INJECT_DELAY_MAX,
+                           show(most_s).text);
+        }
+    }
+}
+
 typedef struct {
     exk_section_id section;
     void (*check)(exk_profile_reader *r);
@@ -357,7 +386,8 @@ void exk_check_profile(exk_profile_reader *reader)
         {EXK_IN_NOTHING, check_geometry}, {EXK_IN_JOB, check_job},
         {EXK_IN_CONTROL, check_feedback}, {EXK_IN_CONTROL, check_learning},
         {EXK_IN_LOOP, check_sources},     {EXK_IN_TELEMETRY, check_ring},
-        {EXK_IN_COMMAND, check_commands},
+        {EXK_IN_COMMAND, check_commands}, {EXK_IN_LIMITS, check_box},
+        {EXK_IN_FAULT, check_delays},
     };
     check_required(reader);
     derive(reader);

@@ -34,18 +34,27 @@ static const char *const repeat_words[] = {"fresh", "frozen", NULL};
 static const char *const feedback_words[] = {"none", "pid", NULL};
 static const char *const source_words[] = {"twin", "replay", "bus", NULL};
 
+static const char *const inject_words[] = {"none",  "nan",     "inf",   "range",   "spike",
+                                           "stuck", "dropout", "delay", "garbage", NULL};
+
 static const exk_section sections[EXK_IN_COUNT] = {
     [EXK_IN_NOTHING] = {"", false, ""},
     [EXK_IN_MACHINE] = {"machine", false, "The dimensions of the machine, and its servo."},
     [EXK_IN_KINEMATICS] = {"kinematics", true, "How angles and tool point belong together."},
     [EXK_IN_JOB] = {"job", true, "What is drilled, and how the tool moves."},
-    [EXK_IN_DISTURBANCE] =
-        {"disturbance.N", false,
-         "What pushes the angles, N = 1 to 8; the sum of all sections acts. "
-         "Give exactly the one amplitude or sigma that fits wave and order."},
+    [EXK_IN_DISTURBANCE] = {"disturbance.N", false,
+                            "What pushes the angles, N = 1 to 8; the sum of all sections acts. "
+                            "Give exactly the one amplitude or sigma that fits wave and order.",
+                            "disturbance."},
     [EXK_IN_SENSOR] = {"sensor", false, "What the measured angles add to the true ones."},
     [EXK_IN_CONTROL] = {"control", false, "Feedback within a run and learning between runs."},
     [EXK_IN_LOOP] = {"loop", false, "Rate, randomness, and when to give up."},
+    [EXK_IN_GUARD] = {"guard", false,
+                      "Which samples are believed, and what is done when none is."},
+    [EXK_IN_LIMITS] = {"limits", false,
+                       "What no command may pass; asked at every step before it is sent."},
+    [EXK_IN_FAULT] = {"fault.N", false,
+                      "Faults put into the measured angles on purpose, N = 1 to 8.", "fault."},
     [EXK_IN_TELEMETRY] = {"telemetry", false, "What goes out on the bus."},
     [EXK_IN_COMMAND] = {"command", false,
                         "Who may start, stop, abort and clear a real-time run over the bus."},
@@ -61,10 +70,12 @@ static const exk_section sections[EXK_IN_COUNT] = {
 #define NEEDED(words) 0.0, 0.0, false, true, words, NULL
 #define LENGTH RANGE(EXK_LENGTH_MIN_M *EXK_MM_PER_M, MAX_MM)
 #define MAX_MM (EXK_LENGTH_MAX_M * EXK_MM_PER_M)
+#define COORDINATE RANGE(-MAX_MM, MAX_MM)
 #define ANY_TEXT 0.0, 0.0, false, false, NULL, NULL
 
 #define P(field) offsetof(exk_profile, field)
 #define D(field) offsetof(exk_disturbance_config, field)
+#define F(field) offsetof(exk_inject_fault, field)
 #define NUM(key, unit, at, bounds, meaning)                                                    \
     {IN, key, EXK_KEY_NUMBER, &unit, at, bounds, meaning}
 #define ROW(key, type, at, bounds, meaning)                                                    \
@@ -203,6 +214,48 @@ static const exk_key keys[] = {
     NUM("spin_us", us, P(timing.spin_s), RANGE(0.0, 1e6),
         "end of each wait that is spun, not slept"),
 #undef IN
+#define IN EXK_IN_GUARD
+    {IN, "sigma_rad", EXK_KEY_NUMBER, &rad, P(guard.sigma_rad), 0.0, DBL_MAX, false, false,
+     NULL, "0: from [sensor] and [disturbance.N]",
+     "how far a good sample is from what was expected, one sigma"},
+    NUM("spike_sigmas", exk_unit_none, P(guard.n_sigmas), ABOVE_0_TO((double)INFINITY),
+        "a sample farther off than this is a spike; inf: none is. A replay is judged only with "
+        "sigma_rad"),
+    NUM("stuck_s", sec, P(guard.stuck_s), AT_LEAST_0,
+        "the same value for so long is stuck, while the reference moves or noise should show; "
+        "0: never"),
+    NUM("retract_after_s", sec, P(guard.retract_after_s), AT_LEAST_0,
+        "rest between a sensor fault and the way out of the part"),
+#undef IN
+#define IN EXK_IN_LIMITS
+    NUM("following_mrad", mrad, P(limits.following_rad), ABOVE_0_TO((double)INFINITY),
+        "commanded less measured angle, at rest"),
+    NUM("following_s", sec, P(limits.following_time_s), AT_LEAST_0,
+        "what the commanded rate adds to it: the lag that is allowed"),
+    NUM("correction_mrad", mrad, P(limits.correction_rad), ABOVE_0_TO((double)INFINITY),
+        "feedback and stored correction together"),
+    NUM("rate_radps", radps, P(limits.rate_radps), ABOVE_0_TO((double)INFINITY),
+        "commanded angle rate"),
+    NUM("leg_speed_mmps", mmps, P(limits.leg_speed_mps), ABOVE_0_TO((double)INFINITY),
+        "commanded leg speed"),
+    NUM("leg_margin_mm", mm, P(limits.leg_margin_m), AT_LEAST_0,
+        "kept from both ends of the stroke (machine)"),
+    NUM("x_min_mm", mm, P(limits.box_min_m[EXK_X]), COORDINATE, "box round the tool tip"),
+    NUM("x_max_mm", mm, P(limits.box_max_m[EXK_X]), COORDINATE, "box round the tool tip"),
+    NUM("y_min_mm", mm, P(limits.box_min_m[EXK_Y]), COORDINATE, "box round the tool tip"),
+    NUM("y_max_mm", mm, P(limits.box_max_m[EXK_Y]), COORDINATE, "box round the tool tip"),
+    NUM("z_min_mm", mm, P(limits.box_min_m[EXK_Z]), COORDINATE, "box round the tool tip"),
+    NUM("z_max_mm", mm, P(limits.box_max_m[EXK_Z]), COORDINATE, "box round the tool tip"),
+#undef IN
+#define IN EXK_IN_FAULT
+    ROW("kind", WORD, F(kind), NEEDED(inject_words), "what becomes of the sample"),
+    ROW("channel", CHANNEL, F(channel), WORDS(channel_words),
+        "which angle; dropout and delay: always both"),
+    NUM("at_s", sec, F(at_s), RANGE(0.0, 1e6), "begin, from tick 0"),
+    NUM("for_s", sec, F(for_s), RANGE(0.0, 1e6), "how long; one sample at least"),
+    NUM("size_mrad", mrad, F(size_rad), FREE, "height (spike)"),
+    NUM("delay_s", sec, F(delay_s), RANGE(0.0, 1e3), "how late (delay), at most 255 ticks"),
+#undef IN
 #define IN EXK_IN_TELEMETRY
     ROW("url", TEXT, P(telemetry.url), ANY_TEXT,
         "LCM provider; ttl=0 keeps the traffic on this host"),
@@ -228,6 +281,10 @@ static const exk_key keys[] = {
 /* clang-format on */
 
 _Static_assert(sizeof(keys) / sizeof(keys[0]) <= EXK_KEYS_MAX, "raise EXK_KEYS_MAX");
+_Static_assert((int)EXK_MAX_DISTURBANCES <= (int)EXK_INSTANCES_MAX &&
+                   (int)EXK_MAX_INJECTED <= (int)EXK_INSTANCES_MAX,
+               "raise EXK_INSTANCES_MAX");
+_Static_assert(sizeof(exk_inject_kind) == sizeof(int), "value.c reads and writes enums as int");
 _Static_assert(sizeof(exk_wave) == sizeof(int) && sizeof(exk_job_kind) == sizeof(int),
                "value.c reads and writes enums as int");
 
@@ -254,6 +311,23 @@ size_t exk_key_find(exk_section_id section, const char *name)
         i++;
     }
     return i;
+}
+
+const void *exk_key_base(const exk_profile *profile, exk_section_id section, int instance)
+{
+    if (section == EXK_IN_DISTURBANCE) {
+        return &profile->twin.disturbance[instance];
+    }
+    return section == EXK_IN_FAULT ? (const void *)&profile->inject.fault[instance]
+                                   : (const void *)profile;
+}
+
+int exk_section_instances(const exk_profile *profile, exk_section_id section)
+{
+    if (section == EXK_IN_DISTURBANCE) {
+        return (int)profile->twin.n_disturbances;
+    }
+    return section == EXK_IN_FAULT ? (int)profile->inject.n_faults : 1;
 }
 
 bool exk_key_is_amplitude(const exk_key *key)

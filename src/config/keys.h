@@ -1,7 +1,7 @@
 /** The one table of keys: parser, range checks, --print, job text and manual all read it.
  *
  *  A field lies offset bytes into exk_profile, or into its exk_disturbance_config for the keys of
- *  [disturbance.N]. Bounds are in the unit of the key. Constant data, no state.
+ *  [disturbance.N], its exk_inject_fault for those of [fault.N]. Bounds are in the unit of the key. Constant data, no state.
  */
 #ifndef EXK_CONFIG_KEYS_H
 #define EXK_CONFIG_KEYS_H
@@ -28,6 +28,9 @@ typedef enum {
     EXK_IN_SENSOR,
     EXK_IN_CONTROL,
     EXK_IN_LOOP,
+    EXK_IN_GUARD,
+    EXK_IN_LIMITS,
+    EXK_IN_FAULT,
     EXK_IN_TELEMETRY,
     EXK_IN_COMMAND,
     EXK_IN_COUNT
@@ -49,10 +52,13 @@ typedef struct {
 } exk_key;
 
 typedef struct {
-    const char *name;
+    const char *name; /* with .N where there may be many */
     bool required;
     const char *meaning;
+    const char *stem; /* of the name of one of many, NULL elsewhere */
 } exk_section;
+
+enum { EXK_INSTANCES_MAX = 8 }; /* of a section that may be there many times */
 
 enum { EXK_KEYS_MAX = 128 };
 
@@ -62,6 +68,12 @@ const exk_section *exk_section_of(exk_section_id id);
 
 /** Index of a key by section and exact name; exk_key_count() when there is none. */
 size_t exk_key_find(exk_section_id section, const char *name);
+
+/** Where the keys of a section lie: instance counts from 0. */
+const void *exk_key_base(const exk_profile *profile, exk_section_id section, int instance);
+
+/** How many instances of a section a profile has; 1 where there is one only. */
+int exk_section_instances(const exk_profile *profile, exk_section_id section);
 
 /** True for the keys of which a disturbance takes exactly one. */
 bool exk_key_is_amplitude(const exk_key *key);

@@ -45,10 +45,7 @@ static const char holes_page[] =
 
 static void add_default(const exk_profile *profile, const exk_key *key, exk_text *out)
 {
-    const char *base = (const char *)profile;
-    if (key->section == EXK_IN_DISTURBANCE) {
-        base = (const char *)&profile->twin.disturbance[0];
-    }
+    const char *base = exk_key_base(profile, key->section, 0);
     if (key->required) {
         exk_text_add(out, "needed");
     } else if (key->shown_default != NULL) {

@@ -8,11 +8,7 @@
 
 static const void *field_of(const exk_profile *profile, const exk_key *key, int instance)
 {
-    const char *base = (const char *)profile;
-    if (key->section == EXK_IN_DISTURBANCE) {
-        base = (const char *)&profile->twin.disturbance[instance];
-    }
-    return base + key->offset;
+    return (const char *)exk_key_base(profile, key->section, instance) + key->offset;
 }
 
 /* A disturbance shows the one amplitude that fits, and what belongs to a sine with a sine only. */
@@ -56,7 +52,7 @@ size_t exk_profile_print(const exk_profile *profile, char *out, size_t size)
 {
     exk_text text = exk_text_start(out, size);
     for (int id = EXK_IN_NOTHING + 1; id < EXK_IN_COUNT; id++) {
-        const int n = id == EXK_IN_DISTURBANCE ? (int)profile->twin.n_disturbances : 1;
+        const int n = exk_section_instances(profile, (exk_section_id)id);
         for (int i = 0; i < n; i++) {
             add_section(profile, (exk_section_id)id, i, &text);
         }

@@ -40,6 +40,21 @@ static exk_timing_config default_timing(void)
     };
 }
 
+/* Wide enough for every experiment of the study, narrow enough for a jump by a hole's distance. */
+static exk_limits_keys default_limits(void)
+{
+    const double far_m = EXK_LENGTH_MAX_M;
+    return (exk_limits_keys){
+        .following_rad = 0.1,
+        .following_time_s = 0.05,
+        .correction_rad = 0.2,
+        .rate_radps = 10.0,
+        .leg_speed_mps = 10.0,
+        .box_min_m = {-far_m, -far_m, -far_m},
+        .box_max_m = {far_m, far_m, far_m},
+    };
+}
+
 exk_profile exk_profile_default(void)
 {
     exk_profile profile = {
@@ -51,12 +66,17 @@ exk_profile exk_profile_default(void)
         .feedback = exk_feedback_default(),
         .ilc = exk_ilc_default(),
         .timing = default_timing(),
+        .guard = {.n_sigmas = 6.0, .stuck_s = 0.015, .retract_after_s = 0.1},
+        .limits = default_limits(),
         .telemetry = {.url = "udpm://239.255.76.67:7667?ttl=0",
                       .every = 1,
                       .ring_slots = 8192,
                       .status_Hz = 10.0},
         .command = {.timeout_s = 1.0, .fresh_s = 0.5},
     };
+    for (int i = 0; i < EXK_MAX_INJECTED; i++) {
+        profile.inject.fault[i] = exk_inject_default();
+    }
     for (int i = 0; i < EXK_MAX_DISTURBANCES; i++) {
         profile.twin.disturbance[i] = exk_disturbance_default();
     }

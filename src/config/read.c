@@ -9,24 +9,21 @@
 
 enum { LABEL_SIZE = 96, HINT_SIZE = 256, FOUND_SIZE = 64 };
 
-static const char disturbance_name[] = "disturbance.";
-
 void exk_section_label(exk_section_id section, int instance, char out[EXK_SECTION_SIZE])
 {
-    if (section == EXK_IN_DISTURBANCE) {
-        snprintf(out, EXK_SECTION_SIZE, "%s%d", disturbance_name, instance + 1);
+    const exk_section *of = exk_section_of(section);
+    if (of->stem != NULL) {
+        snprintf(out, EXK_SECTION_SIZE, "%s%d", of->stem, instance + 1);
     } else {
-        snprintf(out, EXK_SECTION_SIZE, "%s", exk_section_of(section)->name);
+        snprintf(out, EXK_SECTION_SIZE, "%s", of->name);
     }
 }
 
 void *exk_key_field(exk_profile *profile, const exk_key *key, int instance)
 {
-    char *base = (char *)profile;
-    if (key->section == EXK_IN_DISTURBANCE) {
-        base = (char *)&profile->twin.disturbance[instance];
-    }
-    return base + key->offset;
+    char *const whole = (char *)profile;
+    const char *base = exk_key_base(profile, key->section, instance);
+    return whole + (base - whole) + key->offset;
 }
 
 int exk_line_of_key(const exk_profile_reader *reading, exk_section_id section, int instance,
@@ -36,25 +33,46 @@ int exk_line_of_key(const exk_profile_reader *reading, exk_section_id section, i
     return i < exk_key_count() ? reading->key_line[instance][i] : 0;
 }
 
+/* N - 1 of "stem.N"; -1 for another name, EXK_INSTANCES_MAX for a number that is not allowed. */
+static int instance_of(const exk_section *section, const char *name)
+{
+    const size_t stem = section->stem == NULL ? 0 : strlen(section->stem);
+    if (stem == 0 || strncmp(name, section->stem, stem) != 0) {
+        return -1;
+    }
+    const char digit = name[stem];
+    const bool good = digit >= '1' && digit < '1' + EXK_INSTANCES_MAX && name[stem + 1] == '\0';
+    return good ? digit - '1' : EXK_INSTANCES_MAX;
+}
+
 /* Finds the section of a header; EXK_IN_NOTHING when there is none of that name. */
 static exk_section_id find_section(const char *name, int *instance)
 {
-    const size_t stem = sizeof(disturbance_name) - 1;
     *instance = 0;
-    if (strncmp(name, disturbance_name, stem) == 0) {
-        const char digit = name[stem];
-        const bool good =
-            digit >= '1' && digit < '1' + EXK_MAX_DISTURBANCES && name[stem + 1] == '\0';
-        *instance = good ? digit - '1' : 0;
-        return good ? EXK_IN_DISTURBANCE : EXK_IN_NOTHING;
-    }
     for (int id = EXK_IN_NOTHING + 1; id < EXK_IN_COUNT; id++) {
-        if (id != EXK_IN_DISTURBANCE &&
-            strcmp(name, exk_section_of((exk_section_id)id)->name) == 0) {
+        const exk_section *section = exk_section_of((exk_section_id)id);
+        const int n = instance_of(section, name);
+        if (n >= 0) {
+            *instance = n < EXK_INSTANCES_MAX ? n : 0;
+            return n < EXK_INSTANCES_MAX ? (exk_section_id)id : EXK_IN_NOTHING;
+        }
+        if (section->stem == NULL && strcmp(name, section->name) == 0) {
             return (exk_section_id)id;
         }
     }
     return EXK_IN_NOTHING;
+}
+
+static void count_instance(exk_profile_reader *r)
+{
+    exk_profile *p = &r->profile;
+    const size_t n = (size_t)r->instance + 1;
+    if (r->section == EXK_IN_DISTURBANCE && p->twin.n_disturbances < n) {
+        p->twin.n_disturbances = n;
+    }
+    if (r->section == EXK_IN_FAULT && p->inject.n_faults < n) {
+        p->inject.n_faults = n;
+    }
 }
 
 static void enter_section(exk_profile_reader *r, const char *name)
@@ -70,10 +88,7 @@ static void enter_section(exk_profile_reader *r, const char *name)
     }
     int *line = &r->section_line[r->instance][r->section];
     *line = *line == 0 ? r->line : *line;
-    if (r->section == EXK_IN_DISTURBANCE &&
-        r->profile.twin.n_disturbances < (size_t)r->instance + 1) {
-        r->profile.twin.n_disturbances = (size_t)r->instance + 1;
-    }
+    count_instance(r);
 }
 
 static void say_not_understood(exk_profile_reader *r)

@@ -15,10 +15,10 @@ enum { EXK_LINE_START = 48 };
 typedef struct {
     exk_profile profile;
     exk_faults faults;
-    int key_line[EXK_MAX_DISTURBANCES][EXK_KEYS_MAX]; /* 0: not given */
-    int section_line[EXK_MAX_DISTURBANCES][EXK_IN_COUNT];
-    bool refused[EXK_MAX_DISTURBANCES][EXK_KEYS_MAX]; /* given, but no good value */
-    bool has_unknown[EXK_MAX_DISTURBANCES];           /* a disturbance with an unknown key */
+    int key_line[EXK_INSTANCES_MAX][EXK_KEYS_MAX]; /* 0: not given */
+    int section_line[EXK_INSTANCES_MAX][EXK_IN_COUNT];
+    bool refused[EXK_INSTANCES_MAX][EXK_KEYS_MAX]; /* given, but no good value */
+    bool has_unknown[EXK_INSTANCES_MAX];           /* a disturbance with an unknown key */
 
     const char *next; /* what inih has not seen yet */
     int line;

@@ -149,10 +149,13 @@ void exk_suggest_key(exk_section_id section, const char *name, exk_text *out)
 
 void exk_suggest_section(const char *name, exk_text *out)
 {
-    if (strncmp(name, "disturbance", strlen("disturbance")) == 0) {
-        exk_text_add(out, "unknown section; allowed: [disturbance.1] to [disturbance.%d]",
-                     EXK_MAX_DISTURBANCES);
-        return;
+    for (int id = EXK_IN_NOTHING + 1; id < EXK_IN_COUNT; id++) {
+        const char *stem = exk_section_of((exk_section_id)id)->stem;
+        if (stem != NULL && strncmp(name, stem, strlen(stem) - 1) == 0) {
+            exk_text_add(out, "unknown section; allowed: [%s1] to [%s%d]", stem, stem,
+                         EXK_INSTANCES_MAX);
+            return;
+        }
     }
     exk_text_add(out, "unknown section; ");
     for (int id = EXK_IN_NOTHING + 1; id < EXK_IN_COUNT; id++) {

@@ -65,7 +65,16 @@ static const row rows[] = {
      {{3, "[jobs]: unknown section; did you mean [job]?"},
       {7, "[Loop]: unknown section; did you mean [loop]?"},
       {8, "[zebra]: unknown section; allowed: [machine] [kinematics] [job] [disturbance.N] "
-          "[sensor] [control] [loop] [telemetry] [command]"}}},
+          "[sensor] [control] [loop] [guard] [limits] [fault.N] [telemetry] [command]"}}},
+    {"guard, limits and injected faults",
+     START "[guard]\nspike_sigmas = 0\n[limits]\nx_min_mm = 50\nx_max_mm = 40\n"
+           "[fault.1]\nat_s = 1\n[fault.2]\nkind = delay\ndelay_s = 0.3\n[fault.9]\n",
+     {{6, "[guard] spike_sigmas: out of range: found \"0\", allowed: above 0, or inf"},
+      {8, "[limits] x_min_mm: not below its max: found 50, allowed: below 40 mm"},
+      {10, "[fault.1]: missing key kind; allowed: none, nan, inf, range, spike, stuck, "
+           "dropout, delay or garbage"},
+      {14, "[fault.2] delay_s: out of range: found 0.3, allowed: up to 255 ticks = 0.255 s"},
+      {15, "[fault.9]: unknown section; allowed: [fault.1] to [fault.8]"}}},
     {"a disturbance of no number",
      START "[disturbance]\n[disturbance.0]\n[disturbance.9]\n[disturbance.10]\n",
      {{5, "[disturbance]: unknown section; allowed: [disturbance.1] to [disturbance.8]"},
