@@ -12,8 +12,9 @@
  *          nothing is known, and a true change of course is accepted in the end. Accepting a sample
  *          just inside the limit moves d^ by K of it: the good samples after it stay good.
  *  Stuck   the same bits n times in a row, n = stuck_s/dt (3 at least), counted only
- *          - while x has moved by more than 10 quanta (1e-6 rad without a quantum) since the value
- *            last changed: a quiet dwell is constant by right; or
+ *          - while the reference, seen through the same servo, has moved by more than 10 quanta
+ *            (1e-6 rad without a quantum) since the value last changed: a quiet dwell is constant by
+ *            right, also where corrections move the command to keep it so; or
  *          - where sensor noise is not below the quantum; n is then also large enough that clean
  *            samples repeat so often once in 1e9 only (a value repeats with p <= q/(2 sqrt(pi) sigma)).
  *  First   after init or reset the first sample has no expectation: range only.
@@ -63,11 +64,12 @@ typedef struct {
 } exk_guard_config;
 
 typedef struct {
-    double expected_rad; /* x */
-    double offset_rad;   /* d^ */
-    double raw_rad;      /* newest finite sample, good or not */
-    double moved_from;   /* x when raw last changed */
-    int64_t n_same;      /* repeats of raw */
+    double expected_rad;  /* x */
+    double reference_rad; /* r through the same servo */
+    double offset_rad;    /* d^ */
+    double raw_rad;       /* newest finite sample, good or not */
+    double moved_from;    /* reference when raw last changed */
+    int64_t n_same;       /* repeats of raw */
 } exk_guard_axis;
 
 typedef struct {
@@ -77,10 +79,11 @@ typedef struct {
     double variance;      /* P + R */
     double limit_rad;     /* of a spike one tick after a good sample, d^ grown up */
     double fixed_rad;     /* part of the limit that is not noise, a tick */
-    int64_t n_stuck;      /* repeats while x moves */
+    int64_t n_stuck;      /* repeats while the reference moves */
     int64_t n_stuck_rest; /* repeats at rest; 0: not judged at rest */
     exk_guard_axis axis[EXK_N_AXES];
-    double command_rad[EXK_N_AXES];
+    double command_rad[EXK_N_AXES]; /* of tick k, as is asked_rad, the reference */
+    double asked_rad[EXK_N_AXES];
     int64_t k;          /* tick of x, -1 before the first */
     int64_t k_good;     /* last good tick */
     int64_t newest;     /* tick of the newest sample that arrived, -1: none */
@@ -98,9 +101,10 @@ exk_err exk_guard_init(exk_guard *guard, const exk_guard_config *cfg);
 /** Forgets the machine, keeps the configuration and the counts. */
 void exk_guard_reset(exk_guard *guard);
 
-/** Judges the reading of tick k, whose command was q. k may jump; x is carried over skipped ticks. */
-exk_sample_kind exk_guard_check(exk_guard *guard, int64_t k, const double q_rad[EXK_N_AXES],
-                                const exk_reading *reading);
+/** Judges the reading of tick k, whose reference was r and command q. k may jump; x is carried over
+ *  skipped ticks. */
+exk_sample_kind exk_guard_check(exk_guard *guard, int64_t k, const double r_rad[EXK_N_AXES],
+                                const double q_rad[EXK_N_AXES], const exk_reading *reading);
 
 /** Noise, walk, drift and servo that a twin of this configuration shows within duration_s. */
 void exk_guard_expect(const exk_twin_config *twin, double duration_s, exk_guard_config *cfg);

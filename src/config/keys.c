@@ -229,7 +229,7 @@ static const exk_key keys[] = {
 #undef IN
 #define IN EXK_IN_LIMITS
     NUM("following_mrad", mrad, P(limits.following_rad), ABOVE_0_TO((double)INFINITY),
-        "commanded less measured angle, at rest"),
+        "commanded less measured angle, at rest; set it on a machine"),
     NUM("following_s", sec, P(limits.following_time_s), AT_LEAST_0,
         "what the commanded rate adds to it: the lag that is allowed"),
     NUM("correction_mrad", mrad, P(limits.correction_rad), ABOVE_0_TO((double)INFINITY),

@@ -1,5 +1,6 @@
 #include "exk/profile.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "check.h"
@@ -45,7 +46,7 @@ static exk_limits_keys default_limits(void)
 {
     const double far_m = EXK_LENGTH_MAX_M;
     return (exk_limits_keys){
-        .following_rad = 0.1,
+        .following_rad = (double)INFINITY,
         .following_time_s = 0.05,
         .correction_rad = 0.2,
         .rate_radps = 10.0,

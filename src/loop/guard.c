@@ -99,6 +99,7 @@ void exk_guard_reset(exk_guard *g)
     for (int i = 0; i < EXK_N_AXES; i++) {
         g->axis[i] = (exk_guard_axis){.raw_rad = (double)NAN};
         g->command_rad[i] = 0.0;
+        g->asked_rad[i] = 0.0;
     }
 }
 
@@ -107,19 +108,29 @@ static double approach(double x, double decay, double to)
     return decay * x + (1.0 - decay) * to;
 }
 
-/* x over skipped ticks with the old command, then one tick with the new one, as the twin does. */
-static void expect(exk_guard *g, int64_t k, const double q_rad[EXK_N_AXES])
+/* Over the ticks skipped with the old value, then one tick with the new one, as the twin does. */
+static double follow(const exk_guard *g, double x, double skipped, double old, double new)
+{
+    return approach(skipped < 1.0 ? approach(x, skipped, old) : x, g->pole, new);
+}
+
+static void expect(exk_guard *g, int64_t k, const double r_rad[EXK_N_AXES],
+                   const double q_rad[EXK_N_AXES])
 {
     if (k <= g->k) {
         return;
     }
-    const int64_t n_skipped = k - g->k - 1;
-    const double decay = n_skipped > 0 ? pow(g->pole, (double)n_skipped) : 1.0;
+    const bool first = g->k < 0;
+    const int64_t n_skipped = first ? 0 : k - g->k - 1;
+    const double skipped = n_skipped > 0 ? pow(g->pole, (double)n_skipped) : 1.0;
     for (int i = 0; i < EXK_N_AXES; i++) {
-        double x = g->k < 0 ? q_rad[i] : g->axis[i].expected_rad;
-        x = n_skipped > 0 && g->k >= 0 ? approach(x, decay, g->command_rad[i]) : x;
-        g->axis[i].expected_rad = approach(x, g->pole, q_rad[i]);
+        exk_guard_axis *axis = &g->axis[i];
+        const double x = first ? q_rad[i] : axis->expected_rad;
+        const double reference = first ? r_rad[i] : axis->reference_rad;
+        axis->expected_rad = follow(g, x, skipped, g->command_rad[i], q_rad[i]);
+        axis->reference_rad = follow(g, reference, skipped, g->asked_rad[i], r_rad[i]);
         g->command_rad[i] = q_rad[i];
+        g->asked_rad[i] = r_rad[i];
     }
     g->k = k;
 }
@@ -158,7 +169,7 @@ static bool is_stuck(const exk_guard *g, exk_guard_axis *axis, double m_rad)
 {
     if (m_rad != axis->raw_rad) {
         axis->raw_rad = m_rad;
-        axis->moved_from = axis->expected_rad;
+        axis->moved_from = axis->reference_rad;
         axis->n_same = 0;
         return false;
     }
@@ -166,7 +177,7 @@ static bool is_stuck(const exk_guard *g, exk_guard_axis *axis, double m_rad)
     if (axis->n_same < g->n_stuck || !(g->cfg.stuck_s > 0.0)) {
         return false;
     }
-    const double moved_rad = fabs(axis->expected_rad - axis->moved_from);
+    const double moved_rad = fabs(axis->reference_rad - axis->moved_from);
     const double least_rad = fmax(moved_quanta * g->cfg.quantum_rad, moved_min_rad);
     return moved_rad > least_rad || (g->n_stuck_rest > 0 && axis->n_same >= g->n_stuck_rest);
 }
@@ -248,10 +259,10 @@ static void learn(exk_guard *g, int64_t k, const double m_rad[EXK_N_AXES])
     g->k_good = k;
 }
 
-exk_sample_kind exk_guard_check(exk_guard *g, int64_t k, const double q_rad[EXK_N_AXES],
-                                const exk_reading *m)
+exk_sample_kind exk_guard_check(exk_guard *g, int64_t k, const double r_rad[EXK_N_AXES],
+                                const double q_rad[EXK_N_AXES], const exk_reading *m)
 {
-    expect(g, k, q_rad);
+    expect(g, k, r_rad, q_rad);
     exk_sample_kind kind = judge_arrival(g, k, m);
     if (kind != EXK_SAMPLE_GOOD) {
         reject(g, -1, kind, (double)m->age, 0.0);

@@ -155,7 +155,8 @@ static void accept(exk_loop *loop, const exk_reading *reading)
 void exk_step_correct(exk_loop *loop, const exk_reading *reading)
 {
     exk_sample *out = &loop->open;
-    const exk_sample_kind kind = exk_guard_check(&loop->guard, out->k, out->q_rad, reading);
+    const exk_sample_kind kind =
+        exk_guard_check(&loop->guard, out->k, out->r_rad, out->q_rad, reading);
     out->sensor_ok = kind == EXK_SAMPLE_GOOD;
     if (out->sensor_ok) {
         accept(loop, reading);
