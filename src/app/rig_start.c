@@ -7,20 +7,24 @@
  * share of it, give an innovation of just that spread (guard.h: P + R with Q = R). */
 static const double share_of_sigma = 0.6180339887498949;
 
-static exk_source machine_of(exk_rig *rig)
+/* A machine on the bus has its own faults; the profile's are put into twin and log. */
+static exk_source source_of(exk_rig *rig)
 {
-    if (rig->profile.timing.from == EXK_FROM_REPLAY) {
-        exk_replay_rewind(&rig->replay);
-        return exk_replay_source(&rig->replay);
+    if (rig->from == EXK_FROM_BUS) {
+        return rig->bus;
     }
-    return exk_twin_source(&rig->twin);
+    if (rig->from == EXK_FROM_REPLAY) {
+        exk_replay_rewind(&rig->replay);
+        return exk_inject_source(&rig->inject, exk_replay_source(&rig->replay));
+    }
+    return exk_inject_source(&rig->inject, exk_twin_source(&rig->twin));
 }
 
 /* What was recorded answered another command: only its own spread, given by hand, can judge it. */
 static exk_guard_config guard_of(const exk_rig *rig)
 {
     const exk_guard_keys *keys = &rig->profile.guard;
-    const bool replays = rig->profile.timing.from == EXK_FROM_REPLAY;
+    const bool replays = rig->from == EXK_FROM_REPLAY;
     const double duration_s = (double)rig->plan.n_ticks * rig->plan.cfg.dt_s;
     exk_guard_config guard = exk_guard_default();
     exk_guard_expect(&rig->profile.twin, duration_s, &guard);
@@ -63,7 +67,7 @@ static exk_loop_config config_of(exk_rig *rig)
     const exk_profile *profile = &rig->profile;
     return (exk_loop_config){.kin = &rig->kin,
                              .plan = &rig->plan,
-                             .source = exk_inject_source(&rig->inject, machine_of(rig)),
+                             .source = source_of(rig),
                              .feedback = profile->feedback,
                              .angle_max_rad = profile->geometry.angle_max_rad,
                              .n_bad_max = profile->timing.n_bad_max,
@@ -73,14 +77,28 @@ static exk_loop_config config_of(exk_rig *rig)
                              .capture = rig->captured == NULL ? NULL : &rig->capture};
 }
 
+static exk_err start_twin(exk_rig *rig, exk_realisation which)
+{
+    const exk_profile *profile = &rig->profile;
+    const exk_err err = exk_twin_init(&rig->twin, &profile->twin, which);
+    return err != EXK_OK
+               ? err
+               : exk_inject_init(&rig->inject, &profile->inject, profile->timing.dt_s, which);
+}
+
+exk_err exk_rig_start_machine(exk_rig *rig, exk_realisation which, exk_source *out)
+{
+    const exk_err err = start_twin(rig, which);
+    if (err == EXK_OK) {
+        *out = exk_inject_source(&rig->inject, exk_twin_source(&rig->twin));
+    }
+    return err;
+}
+
 exk_err exk_rig_start(exk_rig *rig, exk_realisation which,
                       const double *const u_rad[EXK_N_AXES], size_t n_u)
 {
-    const exk_profile *profile = &rig->profile;
-    exk_err err = exk_twin_init(&rig->twin, &profile->twin, which);
-    if (err == EXK_OK) {
-        err = exk_inject_init(&rig->inject, &profile->inject, profile->timing.dt_s, which);
-    }
+    const exk_err err = start_twin(rig, which);
     if (err != EXK_OK) {
         return err;
     }
