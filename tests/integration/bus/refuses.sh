@@ -12,7 +12,7 @@ expect_code 2 "$bin/exk-log" --from run.lcm --csv thesis.txt
 expect_text err "exk-log: thesis.txt: exists and is not an earlier result of this kind, so it is left as it is: choose another name or remove it"
 expect_text thesis.txt "my thesis"
 expect_code 2 "$bin/exk-loop" p.ini --fast -r thesis.txt
-expect_part err "thesis.txt exists and is not an LCM log: not overwritten"
+expect_text err "exk-loop: thesis.txt exists and is not an LCM log: not overwritten; choose another name or move it away"
 expect_text thesis.txt "my thesis"
 
 # a log cut in the middle: all whole samples, said, exit 1
@@ -42,13 +42,13 @@ expect_text err "exk-log: types.lcm: no pose of ours: 1 messages on our channels
 
 # wrong use
 expect_code 2 "$bin/exk-log"
-expect_part err "the LOG to write is missing, for example run.lcm; or --from FILE"
+expect_text err "exk-log: the LOG to write is missing, for example run.lcm; or --from FILE"
 expect_code 2 "$bin/exk-log" --from run.lcm also.lcm
-expect_part err "--from reads a log, nothing is recorded: also.lcm has no place beside it"
+expect_text err "exk-log: --from reads a log, nothing is recorded: also.lcm has no place beside it"
 expect_code 2 "$bin/exk-log" run.lcm --seconds nan
-expect_part err "--seconds nan: a number of seconds above 0 is allowed"
+expect_text err "exk-log: --seconds nan: a number of seconds above 0 is allowed"
 expect_code 2 "$bin/exk-log" run.lcm --plot path.pdf
-expect_part err "--plot path.pdf: a picture ends in .svg or .png"
+expect_text err "exk-log: --plot path.pdf: a picture ends in .svg or .png"
 expect_code 3 "$bin/exk-log" new.lcm --url=nonsense:// --seconds 0.1
 expect_part err "nonsense://: LCM cannot open this URL"
 expect_code 3 "$bin/exk-log" no/such/folder.lcm --url="$url" --seconds 0.1

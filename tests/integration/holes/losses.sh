@@ -57,8 +57,12 @@ expect_part err "exk-holes: 1 of 4 holes judged on an earlier sample of the dwel
 # a file cut inside a record: all whole records count
 head -c $(($(stat -c %s good.lcm) / 2)) good.lcm >cut.lcm
 expect_code 1 "$holes" cut.lcm
-expect_part err "exk-holes: the log ends inside a record: "
-expect_part err " whole samples are judged"
+"$bin/exk-log" --from cut.lcm -q --csv cut.csv >/dev/null 2>&1
+n_whole=$(($(wc -l <cut.csv) - 1))
+expect_text err "exk-holes: the log ends inside a record: $n_whole whole samples are judged"
+expect_code 2 "$bin/exk-ilc" learn cut.lcm -o cut.ilc
+expect_text err "cut.lcm: $((n - n_whole)) of $n ticks are missing, at most 1 % are allowed"
+[ -e cut.ilc ] && fail "a store was learned from half a run"
 
 # decimation is no loss: every tenth sample and the judged ones give the same holes
 printf '\n[telemetry]\nevery = 10\n' >tail.txt

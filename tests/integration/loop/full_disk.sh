@@ -4,11 +4,11 @@ mkdir small
 mount -t tmpfs -o size=256k tmpfs small 2>/dev/null || exit 77
 trap 'umount "$work/small"; rm -rf "$work"' EXIT
 expect_code 3 "$bin/exk-loop" "$profiles/rectangle.ini" --fast -r small/run.lcm
-expect_part err "No space left on device"
+expect_text err "exk: small/run.lcm: recording stopped: No space left on device (make room, or record elsewhere); all whole records before stay in small/run.lcm.part"
 [ "$(grep -c 'No space left' err)" -eq 1 ] || fail "said more than once"
 expect_part out "4 of 4 holes drilled"
 expect_code 3 "$bin/exk-ilc" train "$profiles/rectangle.ini" -n 1 -o small/full.ilc
-expect_part err "small/full.ilc: cannot write the ILC store, the old one stays: No space left on device"
+expect_text err "exk-ilc: small/full.ilc: cannot write the ILC store, the old one stays: No space left on device"
 [ -e small/full.ilc ] && fail "half a store is left"
 # results that cannot be printed are a failure, whatever the run was
 full() {

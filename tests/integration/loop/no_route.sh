@@ -5,7 +5,7 @@ alone="unshare -rn" # a network of its own; root needs no user namespace
 $alone true 2>/dev/null || exit 77
 short p.ini
 expect_code 3 $alone "$bin/exk-loop" p.ini -r run.lcm
-expect_part err "ip route add 224.0.0.0/4 dev lo"
+expect_text err "exk-loop: no route for multicast (239.255.76.67: Network is unreachable): run \`ip route add 224.0.0.0/4 dev lo\` as root, then again"
 [ -e run.lcm ] && fail "a log was started without a bus"
 expect_code 0 $alone "$bin/exk-loop" p.ini --fast -r run.lcm
 exit 0

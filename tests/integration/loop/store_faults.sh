@@ -3,22 +3,32 @@
 short a.ini
 short b.ini -e 's/^width_mm *=.*/width_mm = 40/'
 expect_code 0 "$bin/exk-ilc" train a.ini -n 2 -o a.ilc
+expect_code 0 "$bin/exk-ilc" train b.ini -n 1 -o b.ilc
+hash_of() { "$bin/exk-ilc" show "$1" | sed -n 's/^job hash *//p'; }
+another="a.ilc: ILC store of another job: its hash is $(hash_of a.ilc), this profile's $(hash_of b.ilc); train a store for this [machine], [kinematics], [job] and rate"
 expect_code 2 "$bin/exk-loop" b.ini --fast --ilc a.ilc -r b.lcm
-expect_part err "a.ilc: ILC store of another job: its hash is "
-expect_part err "; train a store for this [machine], [kinematics], [job] and rate"
+expect_text err "$another"
+expect_code 2 "$bin/exk-ilc" verify a.ilc b.ini
+expect_text err "$another"
 [ -e b.lcm ] && fail "a log was started for a refused store"
 
 # seed, noise, gains and telemetry may change
 sed 's/^seed *=.*/seed = 99/; s/^ki_per_s *=.*/ki_per_s = 1/' a.ini >other_seed.ini
 expect_code 0 "$bin/exk-loop" other_seed.ini --fast --ilc a.ilc -r ok.lcm
 
-cp a.ilc bit.ilc
-printf '\x55' | dd of=bit.ilc bs=1 seek=200 conv=notrunc status=none
-expect_code 2 "$bin/exk-loop" a.ini --fast --ilc bit.ilc -r c.lcm
-expect_part err "bit.ilc: damaged ILC store: CRC-32 is "
+# one flipped bit in the header, in the payload and in the CRC-32; then a cut
+flip='import sys; d = bytearray(open("a.ilc", "rb").read()); d[int(sys.argv[1])] ^= 16; open("bit.ilc", "wb").write(d)'
+sums='import sys, zlib; d = open(sys.argv[1], "rb").read(); print("CRC-32 is %08x, its end says %08x" % (zlib.crc32(d[:-4]), int.from_bytes(d[-4:], "little")))'
+damaged() { echo "$1: damaged ILC store: $(python3 -c "$sums" "$1"); train again or restore a copy of the file"; }
+for at in 9 20 200 $(($(stat -c %s a.ilc) - 1)); do
+    python3 -c "$flip" "$at"
+    expect_code 2 "$bin/exk-loop" a.ini --fast --ilc bit.ilc -r c.lcm
+    expect_text err "$(damaged bit.ilc)"
+done
+[ -e c.lcm ] && fail "a log was started for a damaged store"
 head -c 100 a.ilc >cut.ilc
 expect_code 2 "$bin/exk-ilc" verify cut.ilc
-expect_part err "cut.ilc: damaged ILC store: CRC-32 is "
+expect_text err "exk-ilc: $(damaged cut.ilc)"
 echo hello >text.ilc
 expect_code 2 "$bin/exk-ilc" show text.ilc
 expect_text err "exk-ilc: text.ilc: not an ILC store (no EXKILC at its start)"
