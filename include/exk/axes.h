@@ -1,6 +1,6 @@
 /** The two controlled angles and the tool, shared by every room.
  *
- *  Angles   alpha goes with +x, beta with +y (kinematics.md section 1), radians.
+ *  Angles   alpha goes with +x, beta with +y (docs/kinematics.md section 1), radians.
  *  Frames   base frame O: X along A1->A3, Y along O->A2, Z toward the tool.
  */
 #ifndef EXK_AXES_H

@@ -1,4 +1,4 @@
-/** One disturbance of the joint angles: waveform x order x channel (architecture.md section 2).
+/** One disturbance of the joint angles: waveform x order x channel (docs/step.md).
  *
  *  order 0  n[k] = w(t)                           gaussian: n[k] = s z,           s [rad]
  *  order 1  n[k] = integral of w, n[0] = 0        gaussian: n[k+1] = n[k] + s sqrt(dt) z,

@@ -1,6 +1,6 @@
 /** Dimensions of an Exechon-type machine and their published bounds.
  *
- *  Source  kinematics.md section 1 (table of defaults) and study.md (ratios p1..p4).
+ *  Source  docs/kinematics.md section 1: defaults, published ratios p1..p4.
  *  Ratios  p1 = d1/(2 d5) in [0.5, 0.8], p2 = d2/d1 in [0.5, 1], p3 = 2 d3/d1 in [0.5, 1],
  *          p4 = d4/d3 = 0.75; each bound has a slack of 1e-9 for decimals that binary rounds.
  *  Units   metres and radians.
@@ -41,7 +41,7 @@ typedef struct {
     double max;
 } exk_geometry_fault;
 
-/** The assumed X700-class machine: inside every published ratio (kinematics.md section 1). */
+/** The assumed X700-class machine: inside every published ratio (docs/kinematics.md section 1). */
 exk_geometry exk_geometry_default(void);
 
 /** Checks, in this order, every length (d1..d5, l_min, z0 in [EXK_LENGTH_MIN_M,

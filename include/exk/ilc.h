@@ -3,7 +3,7 @@
  *  u_{p+1}[k] = clip( Q( u_p[k] + gain x[k] + d_gain (x[k] - x[k-1])/dt ), u_max ),
  *               x[k] = e_p[k+lead] + c_p[k], e_p held at its last sample past the end, x[-1] = x[0]
  *  Why c_p: the law learns what the loop would have missed without feedback, so the error falls
- *           as (1-gain)^(p-1) with PI on too (architecture.md section 2).
+ *           as (1-gain)^(p-1) with PI on too (docs/step.md).
  *  Why the difference looks back: x = -(n + u) on the unit-gain axis, so a pass multiplies x by
  *           1 - gain - h (1 - 1/z), h = d_gain/dt, whose largest size on the unit circle is
  *           max(|1 - gain|, |1 - gain - 2 h|): every frequency shrinks in every pass exactly when

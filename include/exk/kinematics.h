@@ -1,6 +1,6 @@
 /** One small interface over the kinematic models a loop can run.
  *
- *  Models  pendulum  paper model P, constant bars, level plate      (kinematics.md section 10)
+ *  Models  pendulum  paper model P, constant bars, level plate      (docs/kinematics.md section 10)
  *          universal alternative U, universal-joint pendulum        (section 10)
  *          machine   exact tripod and two-axis wrist, AB or CA      (sections 2 to 8)
  *  Shapes  exk_tool (tip and axis) <-> exk_joints (alpha, beta, h, wrist).

@@ -1,7 +1,7 @@
 /** One fixed step of the controller: plan, inverse, command, exchange, correct, forward.
  *
  *  r[k] = IK(p_ref[k]);  q[k] = r[k] + c[k] + u[k];  (m, theta) = source(q);  e[k] = r[k] - m[k];
- *  c[k+1] = feedback(e[k]);  p_est = FK(m);  p_true = FK(theta)     (architecture.md section 2)
+ *  c[k+1] = feedback(e[k]);  p_est = FK(m);  p_true = FK(theta)     (docs/step.md)
  *  The machine model takes legs from (q, h of r) and the wrist from r, never from q.
  *  States  state.h. The first step starts by itself unless waits is set. HOLD slows down along the path
  *          and goes on controlling position; start goes on from there, sample for sample.

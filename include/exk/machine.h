@@ -4,7 +4,7 @@
  *            beta = atan2(Sy, Sz) - asin(f/rho),  rS = sqrt(rho^2 - f^2),
  *            s = rS - d2 sin(beta),  alpha = atan2(Sx, s),  h = |(Sx, s)| - e,
  *            tau_plate = R^T tau -> wrist angles
- *  Source    kinematics.md section 8. Position still decouples from orientation: no iteration.
+ *  Source    docs/kinematics.md section 8. Position still decouples from orientation: no iteration.
  *  Frames    base frame; Q is the tool tip, tau the unit tool direction.
  *  Branch    that of the tripod and of the wrist chosen.
  *  Errors    inverse: EXK_ERR_ARG not finite, or |tau| off 1 by more than 1e-9; then those of

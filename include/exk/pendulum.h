@@ -3,7 +3,7 @@
  *  Equation  x = L2 sin(alpha),  y = R sin(beta),  z = R cos(beta)
  *            R = h,  L2 = sqrt(h^2 + (d2 - d4)^2),  h: the working height of the plate
  *            dx/dalpha = L2 cos(alpha),  dy/dbeta = R cos(beta),  the rest zero
- *  Source    kinematics.md section 10; why this model: docs/adr/0002-model-p.md.
+ *  Source    docs/kinematics.md section 10; why this model: docs/adr/0002-model-p.md.
  *  Feed      a feed in z at fixed (x, y) is a change of h with both angles recomputed. The
  *            inverse therefore reads h from the tip's z, while the forward returns the z of the
  *            swung bar, R cos(beta): x and y make the round trip, z does so on the centre line.
@@ -20,7 +20,7 @@
 
 #include "exk/kinematics.h"
 
-/* Limit of |alpha| and |beta| in the inverse of P and U (kinematics.md section 10). */
+/* Limit of |alpha| and |beta| in the inverse of P and U (docs/kinematics.md section 10). */
 #define EXK_PENDULUM_ANGLE_MAX_RAD 0.6
 
 extern const exk_kin_ops exk_pendulum_ops;

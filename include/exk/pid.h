@@ -3,7 +3,7 @@
  *  c[k+1] = sat( kp e[k] + I[k+1] + D[k+1], c_max )
  *  I[k+1] = I[k] + ki dt e[k]           held while e pushes further into saturation
  *  D[k+1] = b D[k] + (1 - b) kd (e[k] - e[k-1])/dt,  b = exp(-dt/d_filter), first D = 0
- *  Stability on the unit-gain axis with one step of delay, e = d - c (architecture.md section 2).
+ *  Stability on the unit-gain axis with one step of delay, e = d - c (docs/step.md).
  *          With g = ki dt and h = (1 - b) kd/dt the closed loop has the roots of
  *              z (z-1)(z-b) + kp (z-1)(z-b) + g z (z-b) + h (z-1)^2
  *          less z = b when kd = 0 and z = 1 when ki = 0, which cancel. Accepted: 0 <= kp < 1,

@@ -1,6 +1,6 @@
 /** A learning series on one rig: run, judge, learn, run again.
  *
- *  Law      u_{p+1} = Q(u_p + K (e_p + c_p)), exk_ilc_learn for each angle (architecture.md section 2).
+ *  Law      u_{p+1} = Q(u_p + K (e_p + c_p)), exk_ilc_learn for each angle (docs/step.md).
  *           Run 1 is untrained; after n runs and n updates u holds u_{n+1}.
  *  Judged   on the true tip where the source knows it, else on the estimated one.
  *  Samples  on_sample, when set after open, sees every step of a run in order.

@@ -6,7 +6,7 @@
  *            Sigma = h^2 + a^2 + b^2 + c^2 + 2 (h c - a b) cos(alpha)
  *            D     = 2 (h a + b c) sin(alpha)
  *            l1^2 = Sigma + D,  l3^2 = Sigma - D,  l2^2 = h^2 + (d2 cos(beta) - d4)^2
- *  Source    kinematics.md sections 3 to 7.
+ *  Source    docs/kinematics.md sections 3 to 7.
  *  Frames    base frame O; +alpha goes with +x, +beta with +y (beta is left-handed about X).
  *            Position fixes orientation: R_base_plate = Rx(-beta) Ry(alpha).
  *  Branch    h > 0, r > 0, z > 0, |alpha| and |beta| within the limit. At most one of the up to
@@ -59,7 +59,7 @@ typedef struct {
     int cold;       /* 1: from the cold start, 0: from the start given */
 } exk_tripod_report;
 
-/** Angles of the passive joints (kinematics.md section 7). */
+/** Angles of the passive joints (docs/kinematics.md section 7). */
 typedef struct {
     double u_first_rad;   /* legs 1 and 3, first axis, right-handed about X */
     double u1_second_rad; /* leg 1, second axis of the base joint */
@@ -110,7 +110,7 @@ exk_err exk_tripod_jacobian_pose(const exk_tripod *tri, const exk_tripod_pose *p
 /** J[i][j] = d l_(i+1) / d (x, y, z)_j of O1, [1]. Checks the pose wholly. */
 exk_err exk_tripod_jacobian(const exk_tripod *tri, const double o1_m[3], double J[3][3]);
 
-/** G of kinematics.md 6.3 [m^5]: det dl/d(alpha, beta, h) = -2 G/(l1 l2 l3). NaN in, NaN out. */
+/** G [m^5], docs/kinematics.md 6.3: det dl/d(alpha, beta, h) = -2 G/(l1 l2 l3). NaN in, NaN out. */
 double exk_tripod_G(const exk_tripod *tri, const exk_tripod_pose *pose);
 
 /** G/(a d2 h^3): 1 at home, 0 on the forward-singular surface, negative beyond it. */

@@ -5,7 +5,7 @@
  *  m[k]     = round((theta[k] + v[k]) / quantum) * quantum;  v normal, sigma; quantum 0: no rounding
  *  Order    disturbances are summed in their listed order; disturbance i draws as source i, the
  *           sensor as EXK_SOURCE_SENSOR.
- *  Skipped  ticks are integrated with the last command held (architecture.md section 7). Ticks must
+ *  Skipped  ticks are integrated with the last command held (docs/step.md). Ticks must
  *           rise: an earlier or repeated k reads the state again and moves nothing (a fresh look:
  *           the sensor noise is that of k).
  *  Shapes   both angles in, both angles out.  Units  radians, seconds.

@@ -3,7 +3,7 @@
  *  Equation  (x, y, z) = R ( sin(alpha), cos(alpha) sin(beta), cos(alpha) cos(beta) ),  R = h
  *            alpha = asin(x/R),  beta = atan2(y, sqrt(R^2 - x^2 - y^2))
  *            d(x, y) = R [ cos(alpha), 0 ; -sin(alpha) sin(beta), cos(alpha) cos(beta) ]
- *  Source    kinematics.md section 10. A sensitivity check of what is concluded with P; it uses
+ *  Source    docs/kinematics.md section 10. A sensitivity check of what is concluded with P; it uses
  *            bars 1 and 3 alone and does not set X before Y at the centre.
  *  Feed      as in P (pendulum.h): the inverse reads h from the tip's z, the forward returns the
  *            z of the swung bar.

@@ -2,7 +2,7 @@
  *
  *  Equation  AB: tau_plate = Rx(t4) Ry(t5) e_z,  t4 = atan2(-y, z),  t5 = asin(x)
  *            CA: tau_plate = Rz(t4) Rx(t5) e_z,  t4 = atan2(x, -y),  t5 = atan2(|(x, y)|, z)
- *  Source    kinematics.md section 8. AB is the default; CA is singular with the tool along w,
+ *  Source    docs/kinematics.md section 8. AB is the default; CA is singular with the tool along w,
  *            which for holes along Z is the centre of the workspace.
  *  Branch    AB: |t5| < 90 deg; CA: t5 > 0 (the other solution is (t4 + pi, -t5)).
  *  Frames    plate frame (u, v, w), w toward the tool; tau is the unit tool direction.

@@ -1,5 +1,5 @@
 /** Inside the room: the plate of the tripod as sines and cosines, so that the hot path from a
- *  position to leg lengths needs square roots alone. Symbols as in kinematics.md 3 to 6.
+ *  position to leg lengths needs square roots alone. Symbols as in docs/kinematics.md 3 to 6.
  *
  *  A point fixed in the plate, S = O1 + e w + f v, obeys the same relations as O1 with h + e in
  *  place of h; the tripod (e = f = 0) and the wrist centre therefore share this code.

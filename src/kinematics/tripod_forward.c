@@ -1,4 +1,4 @@
-/* Newton on (alpha, beta, h) for the squared lengths (kinematics.md section 5), in the form
+/* Newton on (alpha, beta, h) for the squared lengths (docs/kinematics.md section 5), in the form
  *
  *   Sigma = (l1^2 + l3^2)/2,   D = (l1^2 - l3^2)/2,   h^2 + k^2 = l2^2,   k = d2 cos(beta) - d4
  *

@@ -1,4 +1,4 @@
-/* The table of check values (kinematics.md section 8) and the five-axis round trip. */
+/* The table of check values (docs/kinematics.md section 8) and the five-axis round trip. */
 #include <math.h>
 #include <stdio.h>
 

@@ -21,3 +21,5 @@ foreach(program ${programs})
     exk_script_test(integration test_options_${program} ${guard}/options.sh
         ARGS ${PROJECT_BINARY_DIR}/bin/${program} ${PROJECT_VERSION})
 endforeach()
+
+exk_script_test(integration test_pages_are_there ${guard}/pages.sh ARGS ${PROJECT_SOURCE_DIR})

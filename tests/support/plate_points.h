@@ -1,5 +1,5 @@
 /** The tripod as points in space, the long way round: the plate's matrix, its joint centres and
- *  plain distances (kinematics.md sections 1 and 3). Shares no formula with the room but the
+ *  plain distances (docs/kinematics.md sections 1 and 3). Shares no formula with the room but the
  *  pose itself; used as the other side of a comparison. */
 #ifndef EXK_TESTS_PLATE_POINTS_H
 #define EXK_TESTS_PLATE_POINTS_H

@@ -44,7 +44,7 @@ static void every_model_has_a_name_and_all_operations(void)
     TEST_ASSERT_EQUAL_STRING("unknown", exk_kin_name(EXK_KIN_COUNT));
 }
 
-/* The three models agree on the centre line and there alone (kinematics.md section 0). */
+/* The three models agree on the centre line and there alone (docs/kinematics.md section 0). */
 static void the_models_agree_on_the_centre_line(void)
 {
     const exk_geometry geo = exk_geometry_default();

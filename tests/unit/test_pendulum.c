@@ -122,7 +122,7 @@ static void height_sets_both_bars(void)
     TEST_ASSERT_EQUAL_DOUBLE(0.0, joints.wrist_rad[0]);
 }
 
-/* On the centre line the drawn plate is the machine's home pose (kinematics.md section 1). */
+/* On the centre line the drawn plate is the machine's home pose (docs/kinematics.md section 1). */
 static void legs_of_the_level_plate(void)
 {
     exk_joints joints = {.angle_rad = {0.0, 0.0}, .h_m = 0.95};

@@ -90,7 +90,7 @@ static void normal_quantiles(void)
     TEST_ASSERT_DOUBLE_IS_NAN(exk_normal_quantile(NAN));
 }
 
-/* control_limits.md section 2: per cent with one decimal. */
+/* The published machines, 45 holes each: per cent with one decimal. */
 static void wilson_intervals_of_the_three_machines(void)
 {
     static const struct {

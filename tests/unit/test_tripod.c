@@ -169,7 +169,7 @@ static void a_bad_start_gives_the_same_pose(void)
     }
 }
 
-/* kinematics.md section 6.2 prints six decimals; section 1 gives nine. */
+/* docs/kinematics.md section 6.2 prints six decimals; section 1 gives nine. */
 static void home_comes_out_as_published(void)
 {
     static const double want[3][3] = {
