@@ -54,7 +54,7 @@ static double get_double(reader *r)
 static uint32_t filled_bins(const study_tally *tally)
 {
     uint32_t n = 0;
-    for (uint32_t i = 0; i < tally->n_bins; i++) {
+    for (uint32_t i = 0; i < tally->n_bins && tally->moments.n > 0; i++) {
         n += tally->bins[i] > 0;
     }
     return n;
@@ -70,7 +70,7 @@ static void put_tally(writer *w, const study_tally *tally)
     put(w, tally->n_positive, 8);
     put(w, tally->n_bad, 8);
     put(w, filled_bins(tally), 4);
-    for (uint32_t i = 0; i < tally->n_bins; i++) {
+    for (uint32_t i = 0; i < tally->n_bins && tally->moments.n > 0; i++) {
         if (tally->bins[i] > 0) {
             put(w, i, 4);
             put(w, tally->bins[i], 4);

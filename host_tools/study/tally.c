@@ -1,6 +1,7 @@
 #include "tally.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "exk/quantile.h"
@@ -30,12 +31,13 @@ uint32_t study_bins_needed(const study_measure *measure)
 
 void study_tally_clear(study_tally *tally)
 {
+    const bool was_used = tally->moments.n > 0;
     exk_moments_reset(&tally->moments);
     tally->min = INFINITY;
     tally->max = -INFINITY;
     tally->n_positive = 0;
     tally->n_bad = 0;
-    if (tally->n_bins > 0) {
+    if (was_used && tally->n_bins > 0) {
         memset(tally->bins, 0, tally->n_bins * sizeof *tally->bins);
     }
 }
@@ -44,6 +46,7 @@ void study_tally_init(study_tally *tally, const study_measure *measure, uint32_t
 {
     *tally = (study_tally){
         .kind = measure->kind, .n_bins = study_bins_needed(measure), .bins = bins};
+    tally->moments.n = 1; /* the bins may hold anything yet */
     study_tally_clear(tally);
 }
 
@@ -93,7 +96,7 @@ void study_tally_merge(study_tally *into, const study_tally *part)
     into->max = fmax(into->max, part->max);
     into->n_positive += part->n_positive;
     into->n_bad += part->n_bad;
-    for (uint32_t i = 0; i < into->n_bins; i++) {
+    for (uint32_t i = 0; i < into->n_bins && part->moments.n > 0; i++) {
         into->bins[i] += part->bins[i];
     }
 }

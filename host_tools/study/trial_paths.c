@@ -2,12 +2,12 @@
 
 #include "trial_set.h"
 
-static void look(void *ctx, const exk_sample *sample)
+static void look(void *ctx, const exk_judged_point *point)
 {
     study_path *path = ctx;
-    const int half = 2 * sample->k >= path->n_all;
+    const int half = 2 * point->k >= path->n_all;
     double d_m[2];
-    exk_plane_error(sample->real.tip_m, sample->ref.tip_m, sample->ref.axis, d_m);
+    exk_plane_error(point->tool.tip_m, point->ref.tip_m, point->ref.axis, d_m);
     path->n_half[half]++;
     path->sum_sq_m2[half] += d_m[0] * d_m[0] + d_m[1] * d_m[1];
     path->n_first += d_m[0] > 0.0 && d_m[1] > 0.0;
@@ -47,8 +47,8 @@ static int run_path(study_set *set, study_experiment which, uint32_t trial, int 
     study_lab *lab = &set->lab[which];
     exk_accuracy accuracy;
     set->path = (study_path){.n_all = (int64_t)lab->series.n};
-    lab->series.on_sample = look;
-    lab->series.sample_ctx = &set->path;
+    lab->series.on_point = look;
+    lab->series.point_ctx = &set->path;
     if (run == 1) {
         study_lab_begin(lab, trial);
     }

@@ -59,6 +59,7 @@ typedef struct {
     double rate_radps[EXK_N_AXES]; /* of the last command that passed */
     int64_t k;                     /* its tick */
     bool has_last;
+    bool off; /* no limit at all: finite numbers are asked for only */
 } exk_limits;
 
 typedef struct {
@@ -80,6 +81,9 @@ typedef struct {
 exk_limits_config exk_limits_default(void);
 exk_err exk_limits_init(exk_limits *limits, const exk_limits_config *cfg);
 void exk_limits_reset(exk_limits *limits);
+
+/** True when a leg could break a limit: else their lengths need not be known. */
+bool exk_limits_ask_legs(const exk_limits *limits);
 
 /** True and remembered when the command of tick k may leave. */
 bool exk_limits_command(exk_limits *limits, int64_t k, const exk_limits_step *step,

@@ -39,11 +39,13 @@ typedef struct {
     exk_twin_config cfg; /* fixed by init */
     exk_disturbance disturbance[EXK_MAX_DISTURBANCES];
     exk_stream sensor[EXK_N_AXES];
-    double pole;                    /* a */
-    double command_rad[EXK_N_AXES]; /* last one, held over skipped ticks */
-    double servo_rad[EXK_N_AXES];   /* x */
-    bool has_command;               /* x[-1] is known */
-    int64_t k;                      /* tick of the state, -1 before the first */
+    double pole;                        /* a */
+    double command_rad[EXK_N_AXES];     /* last one, held over skipped ticks */
+    double servo_rad[EXK_N_AXES];       /* x */
+    bool has_command;                   /* x[-1] is known */
+    const double *lent_rad[EXK_N_AXES]; /* NULL: drawn */
+    size_t n_lent;
+    int64_t k; /* tick of the state, -1 before the first */
 } exk_twin;
 
 /** 1 kHz, ideal servo, ideal sensor (fresh), no disturbance. */
@@ -52,6 +54,14 @@ exk_err exk_twin_init(exk_twin *twin, const exk_twin_config *cfg, exk_realisatio
 
 /** Back to before tick 0 of the same realisation. */
 void exk_twin_reset(exk_twin *twin);
+
+/** Draws n[k] of the ticks 0 .. n - 1 into arrays, for exk_twin_lend. False, and nothing written, unless
+ *  the twin has exactly one disturbance (the sum of several depends on the order of adding). */
+bool exk_twin_draw(const exk_twin *twin, size_t n, double *const n_rad[EXK_N_AXES]);
+
+/** From here on n[k] of the ticks 0 .. n - 1 is read from arrays drawn for this very realisation: the
+ *  same bits, drawn once for all runs of a series. Until the next init; the caller keeps them. */
+void exk_twin_lend(exk_twin *twin, size_t n, double *const n_rad[EXK_N_AXES]);
 
 /** Applies q at tick k and reads the angles of that tick; out is always fresh and has the truth. */
 void exk_twin_step(exk_twin *twin, int64_t k, const double q_rad[EXK_N_AXES], exk_reading *out);

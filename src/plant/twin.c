@@ -35,6 +35,7 @@ exk_err exk_twin_init(exk_twin *twin, const exk_twin_config *cfg, exk_realisatio
         return err;
     }
     twin->cfg = *cfg;
+    twin->n_lent = 0;
     for (int i = 0; i < EXK_N_AXES; i++) {
         twin->sensor[i] = (exk_stream){.seed = which.seed,
                                        .series = which.series,
@@ -58,6 +59,29 @@ void exk_twin_reset(exk_twin *twin)
     for (size_t i = 0; i < twin->cfg.n_disturbances; i++) {
         exk_disturbance_reset(&twin->disturbance[i]);
     }
+}
+
+bool exk_twin_draw(const exk_twin *twin, size_t n, double *const n_rad[EXK_N_AXES])
+{
+    if (twin->cfg.n_disturbances != 1) {
+        return false;
+    }
+    exk_disturbance d = twin->disturbance[0];
+    exk_disturbance_reset(&d);
+    for (size_t k = 0; k < n; k++) {
+        double sum_rad[EXK_N_AXES] = {0.0};
+        exk_disturbance_add(&d, (int64_t)k, sum_rad);
+        n_rad[EXK_ALPHA][k] = sum_rad[EXK_ALPHA];
+        n_rad[EXK_BETA][k] = sum_rad[EXK_BETA];
+    }
+    return true;
+}
+
+void exk_twin_lend(exk_twin *twin, size_t n, double *const n_rad[EXK_N_AXES])
+{
+    twin->lent_rad[EXK_ALPHA] = n_rad[EXK_ALPHA];
+    twin->lent_rad[EXK_BETA] = n_rad[EXK_BETA];
+    twin->n_lent = n;
 }
 
 /* x moves n ticks towards the command, decay = a^n: x = decay x + (1 - decay) q. */
@@ -108,13 +132,23 @@ static double measure(const exk_twin *twin, int i, int64_t k, double theta_rad)
     return m;
 }
 
+static void disturb(exk_twin *twin, int64_t k, double theta_rad[EXK_N_AXES])
+{
+    if (k >= 0 && (uint64_t)k < twin->n_lent) {
+        theta_rad[EXK_ALPHA] += twin->lent_rad[EXK_ALPHA][k];
+        theta_rad[EXK_BETA] += twin->lent_rad[EXK_BETA][k];
+        return;
+    }
+    for (size_t i = 0; i < twin->cfg.n_disturbances; i++) {
+        exk_disturbance_add(&twin->disturbance[i], k, theta_rad);
+    }
+}
+
 void exk_twin_step(exk_twin *twin, int64_t k, const double q_rad[EXK_N_AXES], exk_reading *out)
 {
     servo_step(twin, k, q_rad);
     double theta[EXK_N_AXES] = {twin->servo_rad[EXK_ALPHA], twin->servo_rad[EXK_BETA]};
-    for (size_t i = 0; i < twin->cfg.n_disturbances; i++) {
-        exk_disturbance_add(&twin->disturbance[i], k, theta);
-    }
+    disturb(twin, k, theta);
     for (int i = 0; i < EXK_N_AXES; i++) {
         out->true_rad[i] = theta[i];
         out->measured_rad[i] = measure(twin, i, k, theta[i]);
