@@ -75,6 +75,7 @@ typedef struct {
     study_measure measures[STUDY_N_PAPER];
     exk_profile profiles[STUDY_N_EXPERIMENTS];
     study_variant variant;
+    bool by_steps;     /* every run step by step, none brief: to show that nothing changes */
     uint32_t parts;    /* bits of study_part that are run; measures of the others stay empty */
     const char *noise; /* frozen, fresh or mixed, over all experiments */
     study_task task;

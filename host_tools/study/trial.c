@@ -194,6 +194,7 @@ int study_trial_open(const void *setup, void **worker)
         if (paper->parts & 1U << study_experiment_at((study_experiment)i)->part) {
             code = study_lab_open(&set->lab[i], paper->folder, (study_experiment)i,
                                   &paper->variant);
+            set->lab[i].series.by_steps = paper->by_steps;
         }
     }
     code = code != STUDY_GOOD ? code : check_counts(set);

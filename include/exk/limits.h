@@ -59,7 +59,6 @@ typedef struct {
     double rate_radps[EXK_N_AXES]; /* of the last command that passed */
     int64_t k;                     /* its tick */
     bool has_last;
-    bool off; /* no limit at all: finite numbers are asked for only */
 } exk_limits;
 
 typedef struct {

@@ -48,9 +48,6 @@ static exk_err ask_limits(exk_loop *loop, int64_t k, const exk_waypoint *at, exk
             return EXK_ERR_LIMIT;
         }
     }
-    if (loop->limits.off && kin->model != EXK_KIN_MACHINE) {
-        return EXK_OK;
-    }
     if (kin->model == EXK_KIN_MACHINE || exk_limits_ask_legs(&loop->limits)) {
         exk_joints q = at->r;
         q.angle_rad[EXK_ALPHA] = drive->angle_rad[EXK_ALPHA];
@@ -70,16 +67,16 @@ static exk_err correct(exk_loop *loop, int64_t k, const exk_joints *r, const exk
                        const exk_reading *reading, exk_brief *out)
 {
     exk_violation what;
-    if (exk_guard_check(&loop->guard, k, drive->angle_rad, reading) != EXK_SAMPLE_GOOD) {
+    if (exk_guard_check(&loop->guard, k, r->angle_rad, drive->angle_rad, reading) !=
+        EXK_SAMPLE_GOOD) {
         return EXK_ERR_SENSOR;
     }
     for (int i = 0; i < EXK_N_AXES; i++) {
         out->e_rad[i] = r->angle_rad[i] - reading->measured_rad[i];
     }
     exk_feedback_step(&loop->feedback, out->e_rad, loop->c_rad);
-    const bool follows =
-        loop->limits.off || exk_limits_following(&loop->limits, reading->measured_rad, &what);
-    return follows ? EXK_OK : EXK_ERR_LIMIT;
+    return exk_limits_following(&loop->limits, reading->measured_rad, &what) ? EXK_OK
+                                                                             : EXK_ERR_LIMIT;
 }
 
 static exk_err forward(const exk_loop *loop, const exk_joints *r, const exk_reading *reading,

@@ -43,25 +43,12 @@ bool exk_limits_ask_legs(const exk_limits *limits)
     return c->leg_min_m > 0.0 || isfinite(c->leg_max_m) || isfinite(c->leg_speed_max_mps);
 }
 
-static bool is_off(const exk_limits *limits)
-{
-    const exk_limits_config *c = &limits->cfg;
-    bool off = isinf(c->angle_max_rad) && isinf(c->correction_max_rad) &&
-               isinf(c->rate_max_radps) && isinf(c->following_rad) &&
-               !exk_limits_ask_legs(limits);
-    for (int i = 0; i < 3; i++) {
-        off = off && isinf(c->box_min_m[i]) && isinf(c->box_max_m[i]);
-    }
-    return off;
-}
-
 exk_err exk_limits_init(exk_limits *limits, const exk_limits_config *cfg)
 {
     if (check(cfg) != EXK_OK) {
         return EXK_ERR_ARG;
     }
     *limits = (exk_limits){.cfg = *cfg};
-    limits->off = is_off(limits);
     return EXK_OK;
 }
 

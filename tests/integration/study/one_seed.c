@@ -82,6 +82,27 @@ static void record(study_experiment which, uint32_t series, int run, exk_run_log
     TEST_ASSERT_TRUE_MESSAGE(exk_run_log_read(log, path, why, sizeof why), why);
 }
 
+/* The brief run of the study against the sampled one before it. */
+static void check_brief(study_lab *lab, uint32_t trial, int run)
+{
+    exk_series *series = &lab->series;
+    const size_t n_bytes = series->n * sizeof(double);
+    const size_t n_holes = lab->rig->n_holes * sizeof *series->results;
+    double *e_rad = malloc(n_bytes);
+    exk_hole_result *results = malloc(n_holes);
+    exk_accuracy accuracy;
+    memcpy(e_rad, series->e_rad[EXK_BETA], n_bytes);
+    memcpy(results, series->results, n_holes);
+    memset(series->e_rad[EXK_BETA], 0, n_bytes);
+    series->on_sample = NULL;
+    TEST_ASSERT_EQUAL_INT(STUDY_GOOD, study_lab_run(lab, trial, run, &accuracy));
+    TEST_ASSERT_NOT_NULL_MESSAGE(series->way, "the run was not brief");
+    TEST_ASSERT_EQUAL_MEMORY(e_rad, series->e_rad[EXK_BETA], n_bytes);
+    TEST_ASSERT_EQUAL_MEMORY(results, series->results, n_holes);
+    free(e_rad);
+    free(results);
+}
+
 static void check(study_experiment which, uint32_t trial)
 {
     const study_variant as_published = study_as_published();
@@ -99,6 +120,7 @@ static void check(study_experiment which, uint32_t trial)
     TEST_ASSERT_EQUAL_UINT64(log.n_samples, c.n_seen);
     TEST_ASSERT_EQUAL_UINT64(lab.series.n, c.n_seen);
     TEST_ASSERT_EQUAL_UINT64(0, c.n_differ);
+    check_brief(&lab, trial, n_runs);
     study_lab_close(&lab);
     exk_run_log_free(&log);
 }
