@@ -14,6 +14,7 @@ static void answer(twin_server *s, const exk_wire_drive *drive)
     s->answer.stamp.k = drive->stamp.k;
     s->answer.stamp.time_us = drive->stamp.time_us;
     s->answer.drive_seq = drive->stamp.seq;
+    s->answer.session_id = s->session_id;
     s->answer.machine_id = s->machine_id;
     const int bytes = exk_wire_sensor_encode(&s->answer, buffer, sizeof buffer);
     if (bytes > 0) {
@@ -35,15 +36,15 @@ static void end_run(twin_server *s, const char *how)
     }
 }
 
-static void refuse(twin_server *s, int64_t run_id)
+static void refuse(twin_server *s, const exk_wire_drive *drive)
 {
     s->n_not_ours++;
-    if (!s->quiet && s->refused_run != run_id) {
+    if (!s->quiet && s->refused_session != drive->session_id) {
         fprintf(stderr,
-                "exk-twin: run %" PRId64 " is refused: run %" PRId64 " drives this machine\n",
-                run_id, s->run_id);
+                "exk-twin: run %" PRId64 " has to wait: run %" PRId64 " drives this machine\n",
+                drive->stamp.run_id, s->run_id);
     }
-    s->refused_run = run_id;
+    s->refused_session = drive->session_id;
 }
 
 static void begin_run(twin_server *s, const exk_wire_drive *hello)
@@ -56,10 +57,10 @@ static void begin_run(twin_server *s, const exk_wire_drive *hello)
     s->busy = true;
     s->over = false;
     s->run_id = hello->stamp.run_id;
+    s->session_id = hello->session_id;
     s->seq = 0;
     s->n_ticks = 0;
     s->n_not_ours = 0;
-    s->is_silent = false;
     s->answer = (exk_wire_sensor){.stamp.k = -1};
     exk_arrivals_init(&s->arrivals);
     if (!s->quiet) {
@@ -69,31 +70,27 @@ static void begin_run(twin_server *s, const exk_wire_drive *hello)
     }
 }
 
-static void move(twin_server *s, const exk_wire_drive *drive)
-{
-    exk_reading reading = {.fresh = false};
-    const exk_err err =
-        s->machine.exchange(s->machine.ctx, drive->stamp.k, &drive->drive, &reading);
-    s->n_ticks++;
-    s->is_silent = err != EXK_OK || !reading.fresh;
-    s->answer.stamp.k = drive->stamp.k;
-    s->answer.has_true = reading.has_true;
-    memcpy(s->answer.measured_rad, reading.measured_rad, sizeof s->answer.measured_rad);
-    memcpy(s->answer.true_rad, reading.true_rad, sizeof s->answer.true_rad);
-}
-
 static void step(twin_server *s, const exk_wire_drive *drive)
 {
-    if (drive->stamp.k < s->answer.stamp.k) {
+    const int64_t k = drive->stamp.k;
+    if (k < s->answer.stamp.k) {
         s->n_not_ours++; /* the machine is past it */
         return;
     }
-    if (drive->stamp.k > s->answer.stamp.k) {
-        move(s, drive);
+    if (k > s->answer.stamp.k) {
+        exk_reading reading = {.fresh = false};
+        if (s->machine.exchange(s->machine.ctx, k, &drive->drive, &reading) != EXK_OK) {
+            reading.fresh = false;
+        }
+        s->answer.reading = reading;
+        s->n_ticks++;
     }
-    if (!s->is_silent) {
-        answer(s, drive);
-    }
+    answer(s, drive);
+}
+
+static bool is_ours(const twin_server *s, const exk_wire_drive *drive)
+{
+    return drive->stamp.run_id == s->run_id && drive->session_id == s->session_id;
 }
 
 static void obey(twin_server *s, const exk_wire_drive *drive)
@@ -118,9 +115,9 @@ void twin_server_receive(void *ctx, const char *channel, const void *data, size_
         s->n_not_ours++;
         return;
     }
-    const bool ours = s->busy && drive.stamp.run_id == s->run_id;
+    const bool ours = s->busy && is_ours(s, &drive);
     if (!ours && s->busy && received_us - s->heard_us < silence_us) {
-        refuse(s, drive.stamp.run_id);
+        refuse(s, &drive);
         return;
     }
     if (!ours && s->busy) {
@@ -129,7 +126,7 @@ void twin_server_receive(void *ctx, const char *channel, const void *data, size_
     if (!ours && drive.kind == EXK_DRIVE_HELLO) {
         begin_run(s, &drive);
     }
-    if (s->busy && drive.stamp.run_id == s->run_id) {
+    if (s->busy && is_ours(s, &drive)) {
         s->heard_us = received_us;
         obey(s, &drive);
     }

@@ -27,11 +27,11 @@ typedef struct {
     bool busy;
     bool over; /* a run has ended */
     int64_t run_id;
-    int64_t refused_run; /* said already */
+    int64_t session_id;      /* names the process that drives: a run_id may come again */
+    int64_t refused_session; /* said already */
     int64_t heard_us;
     int64_t seq;
     exk_wire_sensor answer; /* the newest */
-    bool is_silent;         /* the sensor said nothing at the newest tick */
     int64_t n_ticks;
     int64_t n_not_ours; /* malformed, of other runs, older than the newest */
     exk_arrivals arrivals;

@@ -102,6 +102,7 @@ typedef enum { EXK_DRIVE_HELLO, EXK_DRIVE_STEP, EXK_DRIVE_BYE, EXK_DRIVE_COUNT }
 
 typedef struct {
     exk_wire_stamp stamp; /* k: -1 hello, -2 bye */
+    int64_t session_id;
     exk_realisation which;
     exk_drive_kind kind;
     exk_drive drive;
@@ -110,10 +111,9 @@ typedef struct {
 typedef struct {
     exk_wire_stamp stamp;
     int64_t drive_seq;
+    int64_t session_id;
     int64_t machine_id;
-    double measured_rad[EXK_N_AXES]; /* anything, NaN included: the loop's guard judges it */
-    double true_rad[EXK_N_AXES];
-    bool has_true;
+    exk_reading reading; /* anything, NaN included: the loop's guard judges it */
 } exk_wire_sensor;
 
 enum { EXK_MAC_BYTES = 32 };

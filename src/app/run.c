@@ -223,6 +223,8 @@ static int finish(const loop_options *options, loop_ticks *r)
         .n_missed = r->pacer.n_missed,
         .signal = stop_signal,
         .has_log = options->record_path != NULL && summary.file_ok,
+        .on_link = r->link != NULL && !r->fast,
+        .took_commands = r->inbox != NULL,
         .lateness = r->fast ? NULL : &r->lateness,
         .step_time = r->fast ? NULL : &r->step_time,
     };

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "exk/command.h"
 #include "exk/units.h"
 
 static void print_accuracy(const loop_ending *ending)
@@ -31,6 +32,25 @@ static void print_counts(const loop_ending *ending)
            ending->summary->n_poses, ending->summary->n_dropped);
 }
 
+static void print_link(const exk_link_counts *link)
+{
+    printf("machine on the bus: %" PRId64 " answers lost, %" PRId64 " late, %" PRId64
+           " repeated, %" PRId64 " out of order, %" PRId64 " foreign\n",
+           link->n_lost, link->n_late, link->n_repeated, link->n_reordered, link->n_foreign);
+}
+
+static void print_commands(const exk_command_counts *command)
+{
+    printf("commands: %" PRId64 " taken", command->n_taken);
+    for (int i = 0; i < EXK_REFUSED_COUNT; i++) {
+        if (command->n_refused[i] > 0) {
+            printf(", %" PRId64 " refused: %s", command->n_refused[i],
+                   exk_refusal_name((exk_refusal)i));
+        }
+    }
+    printf("\n");
+}
+
 static void print_histogram(const char *what, const exk_histogram *hist)
 {
     printf("%s p50 %.1f us, p99 %.1f us, p99.9 %.1f us, max %.1f us\n", what,
@@ -55,6 +75,12 @@ void loop_summary_print(const loop_ending *ending, bool quiet)
     print_accuracy(ending);
     if (!quiet) {
         print_counts(ending);
+    }
+    if (!quiet && ending->on_link) {
+        print_link(&ending->record->bus.link);
+    }
+    if (!quiet && ending->took_commands) {
+        print_commands(&ending->record->bus.command);
     }
     if (!quiet && ending->lateness != NULL) {
         print_histogram("wake-up lateness", ending->lateness);

@@ -16,7 +16,9 @@ typedef struct {
     int64_t k_fault;
     int64_t n_missed;
     int signal;
-    bool has_log;                  /* a log was asked for, and is whole */
+    bool has_log; /* a log was asked for, and is whole */
+    bool on_link; /* a machine on the bus, in real time */
+    bool took_commands;
     const exk_histogram *lateness; /* NULL in fast mode */
     const exk_histogram *step_time;
 } loop_ending;

@@ -1,8 +1,10 @@
+#define _DEFAULT_SOURCE
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/random.h>
 
 #include "exk/realtime.h"
 #include "link_state.h"
@@ -17,11 +19,22 @@ static int64_t now_ns(void)
     return clock.now_ns(clock.ctx);
 }
 
+/* Fast runs of one profile have one run_id; what is left of an earlier one must not be taken for ours. */
+static int64_t new_session(void)
+{
+    int64_t session = 0;
+    if (getrandom(&session, sizeof session, GRND_NONBLOCK) != (ssize_t)sizeof session) {
+        session = exk_wall_us() ^ now_ns() << 20;
+    }
+    return session;
+}
+
 bool link_transmit(exk_link *link, exk_drive_kind kind, const link_drive *drive)
 {
     const double time_us = (double)drive->k * link->cfg.dt_s * 1e6;
     const exk_wire_drive message = {
         .stamp = {link->cfg.run_id, drive->seq, drive->k, drive->k > 0 ? llround(time_us) : 0},
+        .session_id = link->session_id,
         .which = link->cfg.which,
         .kind = kind,
         .drive = drive->drive,
@@ -43,9 +56,9 @@ static bool is_answer(const exk_link *link, const exk_wire_sensor *m)
 {
     const int64_t last_seq = atomic_load_explicit(&link->last_seq, memory_order_acquire);
     const int64_t last_k = atomic_load_explicit(&link->last_k, memory_order_relaxed);
-    return m->stamp.run_id == link->cfg.run_id && m->drive_seq >= 0 &&
-           m->drive_seq <= last_seq && m->stamp.seq <= m->drive_seq && m->stamp.k <= last_k &&
-           (!link->has_machine || m->machine_id == link->machine_id);
+    return m->stamp.run_id == link->cfg.run_id && m->session_id == link->session_id &&
+           m->drive_seq >= 0 && m->drive_seq <= last_seq && m->stamp.seq <= m->drive_seq &&
+           m->stamp.k <= last_k && (!link->has_machine || m->machine_id == link->machine_id);
 }
 
 static void publish_counts(exk_link *link)
@@ -57,9 +70,7 @@ static void publish_counts(exk_link *link)
 
 static void take_answer(exk_link *link, const exk_wire_sensor *m)
 {
-    link_answer answer = {.k = m->stamp.k, .has_true = m->has_true};
-    memcpy(answer.measured_rad, m->measured_rad, sizeof answer.measured_rad);
-    memcpy(answer.true_rad, m->true_rad, sizeof answer.true_rad);
+    const link_answer answer = {.k = m->stamp.k, .reading = m->reading};
     exk_ring_push(&link->answers, &answer); /* full: missing, as if it had been lost */
 }
 
@@ -82,13 +93,6 @@ void link_receive(void *ctx, const char *channel, const void *data, size_t bytes
     } else if (arrival != EXK_ARRIVAL_REPEATED) {
         take_answer(link, &m);
     }
-}
-
-void link_fill(const link_answer *answer, exk_reading *out)
-{
-    *out = (exk_reading){.fresh = true, .has_true = answer->has_true};
-    memcpy(out->measured_rad, answer->measured_rad, sizeof out->measured_rad);
-    memcpy(out->true_rad, answer->true_rad, sizeof out->true_rad);
 }
 
 static bool greet(exk_link *link, char *why, size_t why_size)
@@ -146,6 +150,7 @@ exk_link *exk_link_open(const exk_link_config *cfg, char *why, size_t why_size)
     }
     memset(link, 0, bytes); /* touched now, so that no step meets a page fault */
     link->cfg = *cfg;
+    link->session_id = new_session();
     if (!start(link, why, why_size)) {
         exk_link_close(link);
         return NULL;
@@ -177,7 +182,7 @@ static bool answered(exk_link *link, int64_t k, exk_reading *out)
     bool found = false;
     while (exk_ring_pop(&link->answers, &answer)) {
         if (answer.k == k) {
-            link_fill(&answer, out);
+            *out = answer.reading;
             found = true;
         }
     }
@@ -224,13 +229,14 @@ void exk_link_send(exk_link *link, int64_t k, const exk_drive *drive)
 void exk_link_collect(exk_link *link, int64_t k, exk_reading *out)
 {
     link_answer answer;
+    int64_t best = -1;
     *out = (exk_reading){.fresh = false};
     while (exk_ring_pop(&link->answers, &answer)) {
-        const int64_t age = k - answer.k;
-        link->n_late += age != 0 ? 1 : 0;
-        if (!out->fresh || age < out->age) {
-            link_fill(&answer, out);
-            out->age = age;
+        link->n_late += answer.k != k ? 1 : 0;
+        if (answer.k > best) {
+            best = answer.k;
+            *out = answer.reading;
+            out->age += k - answer.k;
         }
     }
 }

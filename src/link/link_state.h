@@ -21,13 +21,12 @@ typedef struct {
 
 typedef struct {
     int64_t k;
-    double measured_rad[EXK_N_AXES];
-    double true_rad[EXK_N_AXES];
-    bool has_true;
+    exk_reading reading;
 } link_answer;
 
 struct exk_link {
     exk_link_config cfg;
+    int64_t session_id;
     exk_bus *in;
     exk_bus *out; /* lock-step: the same as in */
     exk_ring drives;
@@ -67,8 +66,6 @@ void link_number(exk_link *link, link_drive *drive);
 /** A message on EXK_SENSOR. */
 void link_receive(void *ctx, const char *channel, const void *data, size_t bytes,
                   int64_t received_us);
-
-void link_fill(const link_answer *answer, exk_reading *out);
 
 /** Starts the two threads of a paced run; 0 or an errno. */
 int link_start_threads(exk_link *link);

@@ -101,14 +101,18 @@ void exk_loop_fail(exk_loop *loop, const exk_fault_report *report)
     }
 }
 
-static void abort_run(exk_loop *loop, int64_t k)
+static bool abort_run(exk_loop *loop, int64_t k)
 {
     const exk_fault_report report = {.cause = EXK_CAUSE_ABORT,
                                      .err = EXK_ERR_ABORT,
                                      .k = k,
                                      .phase = loop->last.phase,
                                      .hole_id = loop->last.hole_id};
-    begin_fault(loop, &report);
+    const bool taken = exk_state_take(&loop->sm, EXK_CAUSE_ABORT, k);
+    if (taken) {
+        begin_fault(loop, &report);
+    }
+    return taken;
 }
 
 /* What was known of the machine before the fault is not known any more; the command stands. */
@@ -133,11 +137,7 @@ bool exk_loop_request(exk_loop *loop, exk_cause cause, int64_t k)
         return false;
     }
     if (cause == EXK_CAUSE_ABORT) {
-        const int64_t n = loop->sm.n_taken;
-        abort_run(loop, k);
-        loop->sm.n_refused += loop->sm.n_taken == n && (loop->sm.state == EXK_STATE_FAULT ||
-                                                        loop->sm.state == EXK_STATE_DONE);
-        return loop->sm.n_taken > n;
+        return abort_run(loop, k);
     }
     const bool taken = exk_state_take(&loop->sm, cause, k);
     if (taken && cause == EXK_CAUSE_CLEAR) {

@@ -14,6 +14,7 @@ int exk_wire_drive_encode(const exk_wire_drive *drive, void *buffer, size_t size
         .seq = drive->stamp.seq,
         .k = drive->stamp.k,
         .time_us = drive->stamp.time_us,
+        .session_id = drive->session_id,
         .seed = (int64_t)drive->which.seed,
         .series = (int32_t)drive->which.series,
         .run = (int32_t)drive->which.run,
@@ -49,6 +50,7 @@ bool exk_wire_drive_decode(const void *data, size_t bytes, exk_wire_drive *out)
     }
     *out = (exk_wire_drive){
         .stamp = {m.run_id, m.seq, m.k, m.time_us},
+        .session_id = m.session_id,
         .which = {.seed = (uint64_t)m.seed,
                   .series = (uint32_t)m.series,
                   .run = (uint32_t)m.run},

@@ -11,11 +11,14 @@ int exk_wire_sensor_encode(const exk_wire_sensor *sensor, void *buffer, size_t s
         .k = sensor->stamp.k,
         .time_us = sensor->stamp.time_us,
         .drive_seq = sensor->drive_seq,
+        .session_id = sensor->session_id,
         .machine_id = sensor->machine_id,
-        .has_true = sensor->has_true,
+        .fresh = sensor->reading.fresh,
+        .age = sensor->reading.age,
+        .has_true = sensor->reading.has_true,
     };
-    memcpy(m.measured_rad, sensor->measured_rad, sizeof m.measured_rad);
-    memcpy(m.true_rad, sensor->true_rad, sizeof m.true_rad);
+    memcpy(m.measured_rad, sensor->reading.measured_rad, sizeof m.measured_rad);
+    memcpy(m.true_rad, sensor->reading.true_rad, sizeof m.true_rad);
     return exk_sensor_t_encode(buffer, 0, (int)size, &m);
 }
 
@@ -30,10 +33,11 @@ bool exk_wire_sensor_decode(const void *data, size_t bytes, exk_wire_sensor *out
     *out = (exk_wire_sensor){
         .stamp = {m.run_id, m.seq, m.k, m.time_us},
         .drive_seq = m.drive_seq,
+        .session_id = m.session_id,
         .machine_id = m.machine_id,
-        .has_true = m.has_true != 0,
+        .reading = {.fresh = m.fresh != 0, .age = m.age, .has_true = m.has_true != 0},
     };
-    memcpy(out->measured_rad, m.measured_rad, sizeof m.measured_rad);
-    memcpy(out->true_rad, m.true_rad, sizeof m.true_rad);
+    memcpy(out->reading.measured_rad, m.measured_rad, sizeof m.measured_rad);
+    memcpy(out->reading.true_rad, m.true_rad, sizeof m.true_rad);
     return true;
 }

@@ -259,12 +259,15 @@ static void an_answer_survives_bit_for_bit(void)
     memset(&out, 0, sizeof out);
     in.stamp = (exk_wire_stamp){1, 2, -1, 4};
     in.drive_seq = 5;
+    in.session_id = 7;
     in.machine_id = 6;
-    in.has_true = true;
+    in.reading.has_true = true;
+    in.reading.fresh = true;
+    in.reading.age = 9;
     for (int i = 0; i < 8; i++) {
         int at = i;
-        fill(in.measured_rad, EXK_N_AXES, &at);
-        fill(in.true_rad, EXK_N_AXES, &at);
+        fill(in.reading.measured_rad, EXK_N_AXES, &at);
+        fill(in.reading.true_rad, EXK_N_AXES, &at);
         const int bytes = exk_wire_sensor_encode(&in, buffer, sizeof buffer);
         TEST_ASSERT_TRUE(exk_wire_sensor_decode(buffer, (size_t)bytes, &out));
         TEST_ASSERT_EQUAL_MEMORY(&in, &out, sizeof in);

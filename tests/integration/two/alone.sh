@@ -1,0 +1,44 @@
+# Nobody answers, the machine dies, a second machine, a second controller: said clearly, once.
+. "$(dirname "$0")/common.sh"
+short p.ini -e 's/^\[loop\]/[loop]\nanswer_s = 0.3\nmissed_max = 100000\nbad_max = 50/'
+expect_code 3 "$bin/exk-loop" p.ini --source bus --url="$url" --fast
+expect_text err "exk-loop: no machine answers on $url within 0.3 s: start one first, for example exk-twin PROFILE, or take --source twin"
+
+machine p.ini --url="$url"
+twin=$started
+expect_code 2 "$bin/exk-twin" p.ini --url="$url"
+expect_text err "exk-twin: another machine is on $url: process $twin; end it first, or give this one a bus of its own (--url with another port)"
+
+# the machine dies under a lock-step run, and under a paced one
+for how in --fast ""; do
+    start "$bin/exk-loop" "$profiles/machine.ini" --source bus --url="$url" $how -r dies.lcm
+    loop=$started
+    sleep 0.4
+    kill -9 "$twin"
+    wait "$twin" 2>/dev/null
+    ends "$loop" 1
+    expect_part exk-loop.err "exk-loop: fault at tick "
+    expect_count dies.lcm state = fault
+    machine p.ini --url="$url"
+    twin=$started
+done
+
+# a second controller while one runs; one off the bus is free to run
+start "$bin/exk-loop" "$profiles/rectangle.ini" --url="$url" -q
+loop=$started
+sleep 0.5
+expect_code 2 "$bin/exk-loop" p.ini --url="$url"
+expect_text err "exk-loop: another controller is on $url: process $loop; end it first, or give this one a bus of its own (--url with another port)"
+expect_code 0 "$bin/exk-loop" p.ini --fast
+expect_code 0 "$bin/exk-loop" p.ini --no-bus -q
+kill -INT "$loop"
+ends "$loop" 1
+
+# one that holds no claim here, as on another host, is heard
+command -v lcm-logplayer >/dev/null || exit 0
+expect_code 0 "$bin/exk-loop" "$profiles/rectangle.ini" --fast -r play.lcm
+start lcm-logplayer --lcm-url="$url" play.lcm
+sleep 0.3
+expect_code 2 "$bin/exk-loop" p.ini --url="$url"
+expect_part err "exk-loop: another controller speaks on $url: run "
+exit 0
