@@ -22,12 +22,16 @@ int exk_wire_sensor_encode(const exk_wire_sensor *sensor, void *buffer, size_t s
     return exk_sensor_t_encode(buffer, 0, (int)size, &m);
 }
 
+/* A sample older than any run; keeps sums of ages far from overflow. */
+static const int64_t age_max = (int64_t)1 << 40;
+
 /* No part of variable length: one length is right and all others are wrong. */
 bool exk_wire_sensor_decode(const void *data, size_t bytes, exk_wire_sensor *out)
 {
     exk_sensor_t m;
     if (bytes > EXK_WIRE_SENSOR_MAX ||
-        exk_sensor_t_decode(data, 0, (int)bytes, &m) != (int)bytes || m.k < -1 || m.seq < 0) {
+        exk_sensor_t_decode(data, 0, (int)bytes, &m) != (int)bytes || m.k < -1 || m.seq < 0 ||
+        m.age < 0 || m.age > age_max) {
         return false;
     }
     *out = (exk_wire_sensor){

@@ -273,8 +273,12 @@ static void an_answer_survives_bit_for_bit(void)
         TEST_ASSERT_EQUAL_MEMORY(&in, &out, sizeof in);
         TEST_ASSERT_FALSE(exk_wire_sensor_decode(buffer, (size_t)bytes - 1, &out));
     }
+    in.reading.age = -1;
+    int bytes = exk_wire_sensor_encode(&in, buffer, sizeof buffer);
+    TEST_ASSERT_FALSE(exk_wire_sensor_decode(buffer, (size_t)bytes, &out));
+    in.reading.age = 0;
     in.stamp.k = -2;
-    const int bytes = exk_wire_sensor_encode(&in, buffer, sizeof buffer);
+    bytes = exk_wire_sensor_encode(&in, buffer, sizeof buffer);
     TEST_ASSERT_FALSE(exk_wire_sensor_decode(buffer, (size_t)bytes, &out));
 }
 
