@@ -42,6 +42,15 @@ static void set_terminal(FILE *script, exk_out_kind kind, int width, int height)
     fputs("set encoding utf8\n", script);
 }
 
+/* No background: that is the page's. */
+static void set_stream_terminal(FILE *script, int width, int height)
+{
+    fprintf(script,
+            "set terminal svg noenhanced size %d,%d dynamic font 'sans-serif,9.75' "
+            "fontscale 1.333\nmark_size = 0.65\nset encoding utf8\n",
+            width, height);
+}
+
 static int spawn(pid_t *pid, int in_fd, int out_fd, int err_fd)
 {
     char program[] = "gnuplot";
@@ -82,17 +91,18 @@ static void first_words(FILE *err, char *out, size_t size)
     }
 }
 
-static int run(FILE *script, exk_out *out, FILE *err, char *why, size_t why_size)
+static int run(FILE *script, FILE *out, const char *shown, FILE *err, char *why,
+               size_t why_size)
 {
     pid_t pid = 0;
     char words[256];
     rewind(script);
-    const int error = spawn(&pid, fileno(script), fileno(out->file), fileno(err));
+    const int error = spawn(&pid, fileno(script), fileno(out), fileno(err));
     if (error != 0) {
         snprintf(why, why_size,
                  "%s: gnuplot draws the pictures and cannot be started: %s: install it "
                  "(apt-get install gnuplot-nox) or leave the picture out",
-                 out->shown, strerror(error));
+                 shown, strerror(error));
         return 3;
     }
     const int status = wait_for(pid);
@@ -100,31 +110,48 @@ static int run(FILE *script, exk_out *out, FILE *err, char *why, size_t why_size
         return 0;
     }
     first_words(err, words, sizeof words);
-    snprintf(why, why_size, "%s: gnuplot failed: %s", out->shown, words);
+    snprintf(why, why_size, "%s: gnuplot failed: %s", shown, words);
     return 3;
 }
 
-static int write_script(FILE **script, exk_out_kind kind, int width, int height,
-                        exk_draw_fn draw, const void *ctx)
+static int open_script(FILE **script, const char *shown, char *why, size_t why_size)
 {
     *script = tmpfile();
     if (*script == NULL) {
-        return errno;
-    }
-    set_terminal(*script, kind, width, height);
-    draw(*script, ctx);
-    return fflush(*script) == 0 && !ferror(*script) ? 0 : EIO;
-}
-
-static int draw_into(exk_out *out, FILE *script, char *why, size_t why_size)
-{
-    FILE *err = tmpfile();
-    if (err == NULL) {
-        snprintf(why, why_size, "%s: no temporary file: %s", out->shown, strerror(errno));
+        snprintf(why, why_size, "%s: no temporary file: %s", shown, strerror(errno));
         return 3;
     }
-    const int code = run(script, out, err, why, why_size);
+    return 0;
+}
+
+static int draw_into(FILE *out, const char *shown, FILE *script, char *why, size_t why_size)
+{
+    if (fflush(script) != 0 || ferror(script)) {
+        snprintf(why, why_size, "%s: no temporary file: %s", shown, strerror(EIO));
+        return 3;
+    }
+    FILE *err = tmpfile();
+    if (err == NULL) {
+        snprintf(why, why_size, "%s: no temporary file: %s", shown, strerror(errno));
+        return 3;
+    }
+    const int code = run(script, out, shown, err, why, why_size);
     fclose(err);
+    return code;
+}
+
+int exk_plot_stream(FILE *out, const char *shown, int width, int height, exk_draw_fn draw,
+                    const void *ctx, char *why, size_t why_size)
+{
+    FILE *script = NULL;
+    int code = open_script(&script, shown, why, why_size);
+    if (code != 0) {
+        return code;
+    }
+    set_stream_terminal(script, width, height);
+    draw(script, ctx);
+    code = draw_into(out, shown, script, why, why_size);
+    fclose(script);
     return code;
 }
 
@@ -142,15 +169,11 @@ int exk_plot_write(const char *path, int width, int height, exk_draw_fn draw, co
     if (refused != 0) {
         return refused;
     }
-    int code = 0;
-    const int error = write_script(&script, kind, width, height, draw, ctx);
-    if (error != 0) {
-        snprintf(why, why_size, "%s: no temporary file: %s", path, strerror(error));
-        code = 3;
-    } else {
-        code = draw_into(&out, script, why, why_size);
-    }
-    if (script != NULL) {
+    int code = open_script(&script, path, why, why_size);
+    if (code == 0) {
+        set_terminal(script, kind, width, height);
+        draw(script, ctx);
+        code = draw_into(out.file, path, script, why, why_size);
         fclose(script);
     }
     if (code != 0) {

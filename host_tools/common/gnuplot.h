@@ -23,4 +23,9 @@ bool exk_plot_kind(const char *path, exk_out_kind *kind);
 int exk_plot_write(const char *path, int width, int height, exk_draw_fn draw, const void *ctx,
                    char *why, size_t why_size);
 
+/** SVG into an open file, as a part of a page: no background, no enhanced text. shown names the page in
+ *  messages. The file must be one that a process can write (no open_memstream), flushed before. */
+int exk_plot_stream(FILE *out, const char *shown, int width, int height, exk_draw_fn draw,
+                    const void *ctx, char *why, size_t why_size);
+
 #endif

@@ -15,6 +15,31 @@ study_work study_work_of(const study_options *options, uint64_t n_seeds)
                         .folder = options->resume};
 }
 
+static int report(const study_options *options, const study_paper *paper,
+                  const study_sums *totals, const json_t *result)
+{
+    study_also also;
+    const study_work work = {.n_trials = STUDY_ALSO_SEEDS, .n_threads = options->n_threads};
+    int code = study_also_open(&also, options->with_compare, options->with_sensitivity);
+    if (code == STUDY_GOOD) {
+        code = study_also_run(&also, options->profiles, &work);
+    }
+    if (code == STUDY_GOOD) {
+        code = study_report(paper, totals, result, &also, options->report);
+    }
+    study_also_close(&also);
+    return code;
+}
+
+/* Before hours of work rather than after them. */
+static int check_also(const study_options *options)
+{
+    study_also also;
+    const int code = study_also_open(&also, options->with_compare, options->with_sensitivity);
+    study_also_close(&also);
+    return code;
+}
+
 /* Everything that was asked for; the table when nothing was. */
 static int show(const study_options *options, const study_paper *paper,
                 const study_sums *totals, uint64_t n_trials)
@@ -28,7 +53,7 @@ static int show(const study_options *options, const study_paper *paper,
         code = study_write_csv(totals, paper->measures, options->csv);
     }
     if (options->report != NULL && code == STUDY_GOOD) {
-        code = study_report(paper, totals, result, options->report);
+        code = report(options, paper, totals, result);
     }
     if (code == STUDY_GOOD && (options->json == NULL || options->json[0] != '-')) {
         code = study_print(totals, n_trials, paper->noise);
@@ -90,6 +115,9 @@ static int with_paper(const study_options *options,
     study_paper *paper = calloc(1, sizeof *paper);
     int code = paper == NULL ? STUDY_IO
                              : study_paper_init(paper, options->profiles, options->parts_run);
+    if (code == STUDY_GOOD) {
+        code = check_also(options);
+    }
     if (code == STUDY_GOOD) {
         code = act(options, paper);
     }

@@ -19,7 +19,9 @@ enum {
     KEY_TO,
     KEY_PROFILES,
     KEY_WRITE,
-    KEY_ONLY
+    KEY_ONLY,
+    KEY_COMPARE,
+    KEY_SENSITIVITY
 };
 
 static const char doc[] =
@@ -56,6 +58,10 @@ static const struct argp_option options[] = {
     {"json", KEY_JSON, "FILE", 0, "Results as JSON (- for standard output)", 0},
     {"csv", KEY_CSV, "FILE", 0, "paper, merge: every measure as CSV", 0},
     {"report", KEY_REPORT, "FILE", 0, "paper, merge: one HTML page with figures", 0},
+    {"compare", KEY_COMPARE, "FILE", 0,
+     "report: with this JSON of exk-study compare (default: 100 seeds, run at once)", 0},
+    {"sensitivity", KEY_SENSITIVITY, "FILE", 0,
+     "report: with this JSON of exk-study sensitivity (default: left out)", 0},
     {"resume", KEY_RESUME, "DIR", 0, "Keep finished blocks in DIR and go on from those there",
      0},
     {"only", KEY_ONLY, "S5,S6", 0, "paper, block, merge: these experiments alone, S1 to S9", 0},
@@ -159,6 +165,12 @@ static error_t parse_file(int key, char *arg, study_options *out)
         return 0;
     case KEY_REPORT:
         out->report = arg;
+        return 0;
+    case KEY_COMPARE:
+        out->with_compare = arg;
+        return 0;
+    case KEY_SENSITIVITY:
+        out->with_sensitivity = arg;
         return 0;
     case KEY_RESUME:
         out->resume = arg;

@@ -25,6 +25,8 @@ typedef struct {
     const char *json;
     const char *csv;
     const char *report;
+    const char *with_compare; /* their JSON files, for the report */
+    const char *with_sensitivity;
     const char *resume;
     const char *output; /* block */
     uint64_t from;

@@ -136,6 +136,27 @@ double study_tally_quantile(const study_tally *tally, double p)
     return NAN;
 }
 
+/* Share of a bin at or below a value that falls into it. */
+static double share_of_bin(const study_tally *tally, uint32_t bin, double value)
+{
+    const double low = value_in(tally, bin, 0.0);
+    const double high = value_in(tally, bin, 1.0);
+    return high > low ? fmin(fmax((value - low) / (high - low), 0.0), 1.0) : value >= high;
+}
+
+double study_tally_below(const study_tally *tally, double value)
+{
+    double n = 0.0;
+    if (tally->n_bins == 0 || isnan(value)) {
+        return NAN;
+    }
+    const uint32_t last = tally->kind == STUDY_LENGTH ? log_bin(value) : bin_of(tally, value);
+    for (uint32_t i = 0; i < last; i++) {
+        n += tally->bins[i];
+    }
+    return n + share_of_bin(tally, last, value) * tally->bins[last];
+}
+
 double study_tally_ci95(const study_tally *tally)
 {
     return exk_normal_quantile(0.975) * exk_moments_std(&tally->moments) /

@@ -52,6 +52,9 @@ void study_tally_merge(study_tally *into, const study_tally *part);
 /** 0 < p < 1. */
 double study_tally_quantile(const study_tally *tally, double p);
 
+/** How many values do not exceed value; linear within a bin, NaN without bins. */
+double study_tally_below(const study_tally *tally, double value);
+
 /** Half the width of the 95 % confidence interval of the mean; NaN below two values. */
 double study_tally_ci95(const study_tally *tally);
 

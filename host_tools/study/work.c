@@ -220,6 +220,9 @@ static int say_stopped(const study_blocks *blocks, const study_work *work)
 static int run_rank(study_blocks *blocks, const study_work *work)
 {
     int code = work->folder == NULL ? STUDY_GOOD : study_blocks_load(blocks, work->folder);
+    if (work->alone) {
+        return code != STUDY_GOOD ? code : run_blocks(blocks, work, 0, blocks->n_blocks, 1);
+    }
     if (code == STUDY_GOOD) {
         code = run_blocks(blocks, work, (size_t)study_mpi_rank(), blocks->n_blocks,
                           (size_t)study_mpi_size());

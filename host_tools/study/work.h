@@ -24,6 +24,7 @@ typedef struct {
     const char *keep;     /* where to leave the blocks of a stopped run, NULL: nowhere */
     const char *how_next; /* said with it: the command that goes on */
     bool quiet;           /* no progress */
+    bool alone;           /* under MPI: this rank by itself, the others know nothing of it */
 } study_work;
 
 enum { STUDY_GROUP = 10 }; /* the study averages over 10 simulations */
