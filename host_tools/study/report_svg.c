@@ -21,8 +21,8 @@ static const struct {
     {"stroke=\"black\"", "stroke=\"currentColor\""},
     {"fill=\"black\"", "fill=\"currentColor\""},
     {"color='white'", "color='var(--page)'"}, /* round a mark with an interval */
-    {"gpPt", "@-p"},
-    {"gpDot", "@-d"},
+    {"gpPt", "@-mark"},
+    {"gpDot", "@-dot"},
 };
 
 void report_escape(FILE *page, const char *text)

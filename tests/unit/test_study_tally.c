@@ -50,6 +50,34 @@ static void quantiles_of_lengths_are_within_a_bin(void)
     }
 }
 
+static void values_below_are_the_inverse_of_quantiles(void)
+{
+    const int n = 20001;
+    open_two(&length);
+    for (int i = 0; i < n; i++) {
+        study_tally_add(&tally[0], spread_value(i, n));
+    }
+    for (double p = 0.005; p < 1.0; p += 0.005) {
+        const double below = study_tally_below(&tally[0], study_tally_quantile(&tally[0], p));
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6 * n, p * n, below);
+    }
+    TEST_ASSERT_EQUAL_DOUBLE(0.0, study_tally_below(&tally[0], 1e-12));
+    TEST_ASSERT_EQUAL_DOUBLE(n, study_tally_below(&tally[0], 100.0));
+}
+
+static void counts_below_take_whole_bins(void)
+{
+    open_two(&count);
+    for (int i = 0; i <= 40; i++) {
+        study_tally_add(&tally[0], i);
+    }
+    TEST_ASSERT_EQUAL_DOUBLE(37.0, study_tally_below(&tally[0], 36.0));
+    TEST_ASSERT_EQUAL_DOUBLE(37.0, study_tally_below(&tally[0], 36.5));
+    TEST_ASSERT_EQUAL_DOUBLE(38.0, study_tally_below(&tally[0], 37.5));
+    TEST_ASSERT_EQUAL_DOUBLE(0.0, study_tally_below(&tally[0], -0.5));
+    TEST_ASSERT_EQUAL_DOUBLE(41.0, study_tally_below(&tally[0], 99.0));
+}
+
 static void counts_are_exact(void)
 {
     open_two(&count);
@@ -134,6 +162,8 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(quantiles_of_lengths_are_within_a_bin);
+    RUN_TEST(values_below_are_the_inverse_of_quantiles);
+    RUN_TEST(counts_below_take_whole_bins);
     RUN_TEST(counts_are_exact);
     RUN_TEST(lengths_outside_the_bins_are_kept);
     RUN_TEST(what_is_not_finite_is_counted_apart);
