@@ -48,24 +48,27 @@ static int refuse_log(const ilc_options *options, const exk_run_log *log)
 {
     const size_t n_bad = count_bad(log);
     if (!log->has_job) {
-        fprintf(stderr, "%s: no EXK_JOB in it: the job it belongs to is not known\n",
+        fprintf(stderr,
+                "exk-ilc: %s: no EXK_JOB in it: the job it belongs to is not known; record it "
+                "again "
+                "with exk-loop --record or exk-log\n",
                 options->input);
         return ILC_INPUT;
     }
     if (log->n_lost > 0) {
         fprintf(stderr,
-                "%s: %" PRId64
+                "exk-ilc: %s: %" PRId64
                 " samples lost on the way: nothing is learned; record with exk-loop "
                 "--record\n",
                 options->input, log->n_lost);
         return ILC_INPUT;
     }
     if (n_bad > 0 && !options->allow_bad) {
-        fprintf(
-            stderr,
-            "%s: %zu rejected sensor samples: nothing is learned; --allow-bad learns all the "
-            "same\n",
-            options->input, n_bad);
+        fprintf(stderr,
+                "exk-ilc: %s: %zu rejected sensor samples: nothing is learned; --allow-bad "
+                "learns all the "
+                "same\n",
+                options->input, n_bad);
         return ILC_INPUT;
     }
     return ILC_GOOD;
@@ -96,17 +99,23 @@ static int learn_and_save(const ilc_options *options, const exk_run_log *log,
 {
     const size_t n_missing = fill(series, log);
     if (!((double)n_missing <= missing_max * (double)series->n)) {
-        fprintf(stderr, "%s: %zu of %zu ticks are missing, at most %g %% are allowed\n",
-                options->input, n_missing, series->n, 100.0 * missing_max);
+        fprintf(
+            stderr,
+            "exk-ilc: %s: %zu of %zu ticks are missing, at most %g %% are allowed: nothing is "
+            "learned; record a whole run\n",
+            options->input, n_missing, series->n, 100.0 * missing_max);
         return ILC_INPUT;
     }
     if (n_missing > 0) {
-        fprintf(stderr, "%s: %zu missing ticks take the values of the tick before\n",
+        fprintf(stderr, "exk-ilc: %s: %zu missing ticks take the values of the tick before\n",
                 options->input, n_missing);
     }
     const exk_err err = exk_series_learn(series);
     if (err != EXK_OK) {
-        fprintf(stderr, "%s: the update is refused: %s\n", options->input, exk_err_name(err));
+        fprintf(
+            stderr,
+            "exk-ilc: %s: the update is refused: %s; check ilc_gain and the run's samples\n",
+            options->input, exk_err_name(err));
         return ILC_INPUT;
     }
     return save(options, log, series);

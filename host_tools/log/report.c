@@ -10,7 +10,8 @@ static const char *ending(const exk_run_log *log)
         return "no status seen";
     }
     if (log->closed && log->status.state != EXK_STATE_FAULT) {
-        return "done";
+        const bool whole = log->last_k + 1 >= log->n_ticks;
+        return whole || !log->has_job ? "done" : "stopped before its end";
     }
     return exk_state_name(log->status.state);
 }

@@ -33,6 +33,7 @@ static void catch_signals(void)
     stop_signal = 0;
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
+    sigaction(SIGHUP, &action, NULL); /* the terminal was closed */
     signal(SIGPIPE, SIG_IGN);
 }
 

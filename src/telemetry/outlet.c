@@ -31,7 +31,7 @@ static void note(exk_outlet *out, const char *what)
     if (out->why[0] == '\0') {
         snprintf(out->why, sizeof out->why, "%s", what);
     }
-    fprintf(stderr, "exk: %s\n", what);
+    fprintf(stderr, "exk-loop: %s\n", what);
 }
 
 static void send_bus(exk_outlet *out, const char *channel, const void *data, int bytes)

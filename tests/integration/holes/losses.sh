@@ -61,7 +61,7 @@ expect_code 1 "$holes" cut.lcm
 n_whole=$(($(wc -l <cut.csv) - 1))
 expect_text err "exk-holes: the log ends inside a record: $n_whole whole samples are judged"
 expect_code 2 "$bin/exk-ilc" learn cut.lcm -o cut.ilc
-expect_text err "cut.lcm: $((n - n_whole)) of $n ticks are missing, at most 1 % are allowed"
+expect_text err "exk-ilc: cut.lcm: $((n - n_whole)) of $n ticks are missing, at most 1 % are allowed: nothing is learned; record a whole run"
 [ -e cut.ilc ] && fail "a store was learned from half a run"
 
 # decimation is no loss: every tenth sample and the judged ones give the same holes

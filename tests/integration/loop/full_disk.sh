@@ -4,7 +4,7 @@ mkdir small
 mount -t tmpfs -o size=256k tmpfs small 2>/dev/null || exit 77
 trap 'umount "$work/small"; rm -rf "$work"' EXIT
 expect_code 3 "$bin/exk-loop" "$profiles/rectangle.ini" --fast -r small/run.lcm
-expect_text err "exk: small/run.lcm: recording stopped: No space left on device (make room, or record elsewhere); all whole records before stay in small/run.lcm.part"
+expect_text err "exk-loop: small/run.lcm: recording stopped: No space left on device (make room, or record elsewhere); all whole records before stay in small/run.lcm.part"
 [ "$(grep -c 'No space left' err)" -eq 1 ] || fail "said more than once"
 expect_part out "4 of 4 holes drilled"
 expect_code 3 "$bin/exk-ilc" train "$profiles/rectangle.ini" -n 1 -o small/full.ilc

@@ -1,6 +1,6 @@
 # SIGINT and SIGTERM end a real-time run cleanly: exit 1, whole log, said once.
 . "$(dirname "$0")/common.sh"
-for signal in INT TERM; do
+for signal in INT TERM HUP; do
     "$bin/exk-loop" "$profiles/rectangle.ini" --no-bus -r $signal.lcm >out 2>err &
     pid=$!
     sleep 0.7
