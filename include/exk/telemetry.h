@@ -22,6 +22,7 @@
 #include "exk/accuracy.h"
 #include "exk/bus_counts.h"
 #include "exk/loop.h"
+#include "exk/loop_report.h"
 #include "exk/profile.h"
 #include "exk/realtime.h"
 #include "exk/ring.h"
@@ -36,7 +37,13 @@ typedef struct {
     int32_t state;       /* exk_state */
     int32_t fault;       /* exk_err, EXK_OK without a fault */
     exk_bus_counts bus;  /* 0 in fast mode */
+    exk_loop_report loop;
+    exk_transition note[EXK_STATE_NOTES]; /* since the record before: each becomes a status */
+    int32_t n_notes;
 } exk_record;
+
+/** Fills what the loop knows: n_bad, state, fault, loop, and the notes, which are taken from it. */
+void exk_record_loop(exk_record *record, exk_loop *loop);
 
 /** Fixed for a run; the strings are copied by start. */
 typedef struct {

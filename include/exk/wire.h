@@ -17,7 +17,9 @@
 
 #include "exk/accuracy.h"
 #include "exk/bus_counts.h"
+#include "exk/fault_text.h"
 #include "exk/loop.h"
+#include "exk/loop_report.h"
 #include "exk/profile.h"
 
 #define EXK_CHANNEL_JOB "EXK_JOB"
@@ -29,7 +31,7 @@
 #define EXK_CHANNEL_SENSOR "EXK_SENSOR"
 #define EXK_CHANNEL_ALL "EXK_.*" /* pattern for exk_bus_subscribe */
 
-enum { EXK_WIRE_POSE_MAX = 512, EXK_WIRE_HOLE_MAX = 256, EXK_WIRE_STATUS_MAX = 1024 };
+enum { EXK_WIRE_POSE_MAX = 512, EXK_WIRE_HOLE_MAX = 256, EXK_WIRE_STATUS_MAX = 1536 };
 enum { EXK_WIRE_DRIVE_MAX = 192, EXK_WIRE_SENSOR_MAX = 128, EXK_WIRE_COMMAND_MAX = 96 };
 enum { EXK_WIRE_TEXT_MAX = 128 };
 
@@ -75,7 +77,8 @@ typedef struct {
     int64_t lateness_ns[3]; /* median, 99 %, largest */
     int64_t step_ns[3];     /* the same */
     exk_bus_counts bus;
-    char reason[EXK_WIRE_TEXT_MAX];
+    exk_loop_report loop; /* of the fault: cause, quantity, index, value, limit, sample, k, hole */
+    char reason[EXK_FAULT_TEXT_MAX];
     char rights[EXK_WIRE_TEXT_MAX];
 } exk_wire_status;
 

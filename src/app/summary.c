@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "exk/command.h"
+#include "exk/fault_text.h"
 #include "exk/units.h"
 
 static void print_accuracy(const loop_ending *ending)
@@ -60,14 +61,22 @@ static void print_histogram(const char *what, const exk_histogram *hist)
            1e-3 * (double)exk_histogram_quantile_ns(hist, 1.0));
 }
 
+/* What became of the tool, once nothing moved any more. */
+static const char *what_became(const exk_loop_report *loop)
+{
+    if (loop->motion == EXK_MOTION_RETRACT) {
+        return "the tool was on its way out of the part";
+    }
+    return loop->fault.cause == EXK_CAUSE_SENSOR ? "the tool is out of the part, at rest"
+                                                 : "the last good command was held";
+}
+
 static void print_fault(const loop_ending *ending)
 {
-    const exk_sample *sample = &ending->record->sample;
-    fprintf(stderr,
-            "exk-loop: fault at tick %" PRId64 ", %s of hole %" PRId32
-            ": %s; the last good command was held\n",
-            ending->k_fault, exk_phase_name(sample->phase), sample->hole_id,
-            exk_err_name((exk_err)ending->record->fault));
+    const exk_loop_report *loop = &ending->record->loop;
+    char text[EXK_FAULT_TEXT_MAX];
+    exk_fault_text(&loop->fault, text, sizeof text);
+    fprintf(stderr, "exk-loop: fault: %s\nexk-loop: %s\n", text, what_became(loop));
 }
 
 void loop_summary_print(const loop_ending *ending, bool quiet)

@@ -55,9 +55,7 @@ static bool close_tick(loop_ticks *t, int64_t k)
     if (over) {
         exk_loop_request(loop, EXK_CAUSE_QUIT, k); /* refused where it is over already */
     }
-    t->record.n_bad = loop->n_bad;
-    t->record.fault = (int32_t)loop->fault;
-    t->record.state = (int32_t)loop->sm.state;
+    exk_record_loop(&t->record, loop);
     note_bus(t);
     exk_publisher_push(t->publisher, &t->record);
     note_progress(t, k);
@@ -108,8 +106,11 @@ static void check_deadlines(loop_ticks *t, int64_t k)
     const int n_max = t->rig->profile.timing.n_missed_max;
     if (t->pacer.n_missed_row >= n_max) {
         const exk_sample *last = &t->rig->loop.last;
+        const exk_violation what = {EXK_QUANTITY_DEADLINES, -1, (double)t->pacer.n_missed_row,
+                                    (double)n_max};
         const exk_fault_report report = {.cause = EXK_CAUSE_OVERRUN,
                                          .err = EXK_ERR_OVERRUN,
+                                         .what = what,
                                          .k = k,
                                          .phase = last->phase,
                                          .hole_id = last->hole_id};

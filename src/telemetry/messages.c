@@ -56,19 +56,40 @@ static void fill_status(exk_messages *m, bool last)
         s->n_overruns = m->last.n_overruns;
         s->n_bad = m->last.n_bad;
         s->bus = m->last.bus;
-        const char *reason = s->fault == EXK_OK ? "" : exk_err_name((exk_err)s->fault);
-        snprintf(s->reason, sizeof s->reason, "%s", reason);
+        s->loop = m->last.loop;
+        s->reason[0] = '\0';
+        if (s->fault != EXK_OK) {
+            exk_fault_text(&m->last.loop.fault, s->reason, sizeof s->reason);
+        }
     }
     figures(m->lateness, s->lateness_ns);
     figures(m->step_time, s->step_ns);
 }
 
-static void send_status(exk_messages *m, bool last)
+static void send_filled_status(exk_messages *m)
 {
     unsigned char buffer[EXK_WIRE_STATUS_MAX];
-    fill_status(m, last);
     const int bytes = exk_wire_status_encode(&m->status, buffer, sizeof buffer);
     exk_outlet_send(&m->out, EXK_CHANNEL_STATUS, buffer, bytes, newest_time_us(m));
+}
+
+static void send_status(exk_messages *m, bool last)
+{
+    fill_status(m, last);
+    send_filled_status(m);
+}
+
+/* Every transition has its status; the last one is that of the record itself. */
+static void send_notes(exk_messages *m)
+{
+    const exk_record *record = &m->last;
+    for (int i = 0; i < record->n_notes && i < EXK_STATE_NOTES; i++) {
+        fill_status(m, false);
+        m->status.state = record->note[i].to;
+        m->status.loop.cause = record->note[i].cause;
+        m->status.loop.n_transitions -= record->n_notes - 1 - i;
+        send_filled_status(m);
+    }
 }
 
 static void send_hole(exk_messages *m, int32_t hole, bool on_true)
@@ -138,7 +159,8 @@ void exk_messages_take(exk_messages *m, const exk_slot *slot)
     if (m->last_sent) {
         send_pose(m, &m->last, slot->seq);
     }
-    if (changed) {
+    send_notes(m);
+    if (changed && slot->record.n_notes == 0) {
         send_status(m, false);
     }
 }

@@ -42,6 +42,32 @@ static void pack_counts(exk_status_t *m, const exk_wire_status *s)
     m->step_max_ns = s->step_ns[2];
 }
 
+_Static_assert(sizeof(((exk_status_t *)0)->n_samples) ==
+                   sizeof(((exk_loop_report *)0)->n_rejected),
+               "kinds of samples on the wire");
+_Static_assert(EXK_STATUS_T_SOURCE == (int)EXK_CAUSE_SOURCE &&
+                   EXK_STATUS_T_SPIKE_SAMPLE == (int)EXK_SAMPLE_SPIKE &&
+                   EXK_STATUS_T_OUT == (int)EXK_MOTION_OUT &&
+                   EXK_STATUS_T_Q_DEADLINES == (int)EXK_QUANTITY_DEADLINES,
+               "causes, samples, motions and quantities on the wire");
+
+static void pack_loop(exk_status_t *m, const exk_loop_report *loop)
+{
+    m->cause = (int8_t)loop->cause;
+    m->motion = (int8_t)loop->motion;
+    m->k_cause = loop->k_cause;
+    m->n_transitions = loop->n_transitions;
+    m->n_events_refused = loop->n_refused;
+    m->n_held = loop->n_held;
+    m->fault_quantity = (int8_t)loop->fault.what.quantity;
+    m->fault_index = (int8_t)loop->fault.what.index;
+    m->fault_value = loop->fault.what.value;
+    m->fault_limit = loop->fault.what.limit;
+    m->fault_k = loop->fault.k;
+    m->fault_hole_id = loop->fault.hole_id;
+    memcpy(m->n_samples, loop->n_rejected, sizeof m->n_samples);
+}
+
 _Static_assert(sizeof(((exk_status_t *)0)->n_refused) ==
                    sizeof(((exk_command_counts *)0)->n_refused),
                "kinds of refusal on the wire");
@@ -61,7 +87,7 @@ static void pack_bus(exk_status_t *m, const exk_bus_counts *bus)
 /* The generated struct wants char pointers that it may write; it gets copies. */
 int exk_wire_status_encode(const exk_wire_status *status, void *buffer, size_t size)
 {
-    char reason[EXK_WIRE_TEXT_MAX];
+    char reason[EXK_FAULT_TEXT_MAX];
     char rights[EXK_WIRE_TEXT_MAX];
     exk_wire_copy_text(reason, sizeof reason, status->reason);
     exk_wire_copy_text(rights, sizeof rights, status->rights);
@@ -69,6 +95,7 @@ int exk_wire_status_encode(const exk_wire_status *status, void *buffer, size_t s
     pack_stamp(&m, status);
     pack_counts(&m, status);
     pack_bus(&m, &status->bus);
+    pack_loop(&m, &status->loop);
     return exk_status_t_encode(buffer, 0, (int)size, &m);
 }
 
@@ -127,6 +154,30 @@ static void unpack_bus(exk_bus_counts *bus, const exk_status_t *m)
     bus->n_dropped = m->n_bus_dropped;
 }
 
+static bool in_range(int8_t value, int count)
+{
+    return value >= 0 && value < count;
+}
+
+static bool unpack_loop(exk_loop_report *loop, const exk_status_t *m)
+{
+    loop->cause = (exk_cause)m->cause;
+    loop->motion = (exk_motion_mode)m->motion;
+    loop->k_cause = m->k_cause;
+    loop->n_transitions = m->n_transitions;
+    loop->n_refused = m->n_events_refused;
+    loop->n_held = m->n_held;
+    loop->fault.what.quantity = (exk_quantity)m->fault_quantity;
+    loop->fault.what.index = m->fault_index;
+    loop->fault.what.value = m->fault_value;
+    loop->fault.what.limit = m->fault_limit;
+    loop->fault.k = m->fault_k;
+    loop->fault.hole_id = m->fault_hole_id;
+    memcpy(loop->n_rejected, m->n_samples, sizeof m->n_samples);
+    return in_range(m->cause, EXK_CAUSE_COUNT) && in_range(m->motion, EXK_MOTION_COUNT) &&
+           in_range(m->fault_quantity, EXK_QUANTITY_COUNT);
+}
+
 bool exk_wire_status_decode(const void *data, size_t bytes, exk_wire_status *out)
 {
     exk_status_t m = {0};
@@ -134,12 +185,14 @@ bool exk_wire_status_decode(const void *data, size_t bytes, exk_wire_status *out
         exk_status_t_decode(data, 0, (int)bytes, &m) != (int)bytes) {
         return false;
     }
-    const bool known = m.state >= 0 && m.state < (int)EXK_STATE_COUNT;
+    exk_wire_status s;
+    memset(&s, 0, sizeof s);
+    unpack_stamp(&s, &m);
+    unpack_counts(&s, &m);
+    unpack_bus(&s.bus, &m);
+    const bool known = in_range(m.state, EXK_STATE_COUNT) && unpack_loop(&s.loop, &m);
     if (known) {
-        memset(out, 0, sizeof *out);
-        unpack_stamp(out, &m);
-        unpack_counts(out, &m);
-        unpack_bus(&out->bus, &m);
+        memcpy(out, &s, sizeof s); /* with the zeros between its fields */
     }
     exk_status_t_decode_cleanup(&m);
     return known;

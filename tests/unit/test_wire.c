@@ -184,6 +184,21 @@ static exk_wire_status some_status(void)
     s.bus.link = (exk_link_counts){60, 61, 62, 63, 64};
     s.bus.command = (exk_command_counts){65, {70, 71, 72, 73, 74, 75, 76}};
     s.bus.n_dropped = 80;
+    s.loop.cause = EXK_CAUSE_SENSOR;
+    s.loop.motion = EXK_MOTION_RETRACT;
+    s.loop.k_cause = 81;
+    s.loop.n_transitions = 82;
+    s.loop.n_refused = 83;
+    s.loop.n_held = 84;
+    s.loop.fault.what.quantity = EXK_QUANTITY_SAMPLES;
+    s.loop.fault.what.index = -1;
+    s.loop.fault.what.value = 85.5;
+    s.loop.fault.what.limit = 86.5;
+    s.loop.fault.k = 87;
+    s.loop.fault.hole_id = 88;
+    for (int i = 0; i < EXK_SAMPLE_COUNT; i++) {
+        s.loop.n_rejected[i] = 90 + i;
+    }
     memcpy(s.reason, "sensor", 7);
     memset(s.rights, 'r', sizeof s.rights - 1); /* as long as it can be */
     return s;
