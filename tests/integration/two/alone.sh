@@ -17,7 +17,7 @@ for how in --fast ""; do
     kill -9 "$twin"
     wait "$twin" 2>/dev/null
     ends "$loop" 1
-    expect_part exk-loop.err "exk-loop: fault at tick "
+    expect_part exk-loop.err "exk-loop: fault: "
     expect_count dies.lcm state = fault
     machine p.ini --url="$url"
     twin=$started
