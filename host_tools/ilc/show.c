@@ -51,6 +51,9 @@ static int load(const ilc_options *options, exk_store *store)
         fprintf(stderr, "exk-ilc: %s\n", why);
         return err == EXK_STORE_IO ? ILC_IO : ILC_INPUT;
     }
+    if (store->is_previous) {
+        fprintf(stderr, "exk-ilc: %s\n", why);
+    }
     return ILC_GOOD;
 }
 
@@ -104,7 +107,9 @@ int ilc_verify(const ilc_options *options)
     if (options->profile != NULL) {
         code = match_profile(options, &store);
     }
-    if (code == ILC_GOOD) {
+    if (code == ILC_GOOD && store.is_previous) {
+        code = ILC_MISSED; /* load said why */
+    } else if (code == ILC_GOOD) {
         printf("%s: whole%s\n", options->input,
                options->profile == NULL ? "" : ", and of this profile's job");
     }

@@ -2,14 +2,17 @@
  *
  *  Bytes    little-endian: magic "EXKILC\0\0", u32 version, u32 header bytes, u64 job hash, f64 dt_s,
  *           u32 iteration, u32 axes, u64 samples, f64 u[axes][samples], u32 CRC-32 of all before.
- *  Save     temporary file beside it, write, fsync, rename, fsync of the folder: a crash at any
- *           point leaves the old one or the new one.
+ *  Save     NAME.new, write, fsync; a good NAME becomes NAME.prev as well; rename, fsync of the folder:
+ *           a crash or a power cut at any point leaves the old one or the new one.
+ *  Load     NAME, or NAME.prev when NAME is missing or not good: is_previous is set then, and why says
+ *           what is wrong with NAME. Refused when neither is good.
  *  Errors   exk_store_err, with a message that names file, what, found and allowed.
  *  Memory   load allocates u (one block); exk_store_free releases it. Outside the core.
  */
 #ifndef EXK_STORE_H
 #define EXK_STORE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -21,6 +24,7 @@ typedef struct {
     uint32_t iteration; /* p of u_p: the run this correction is for; 1 is untrained */
     size_t n_samples;
     double *u_rad[EXK_N_AXES];
+    bool is_previous; /* loaded from NAME.prev: warn with why */
 } exk_store;
 
 typedef enum {

@@ -38,6 +38,9 @@ static int load_store(const loop_options *options, const exk_rig *rig, exk_store
 {
     char why[512];
     if (exk_store_load(options->ilc_path, store, why, sizeof why) == EXK_STORE_OK) {
+        if (store->is_previous) {
+            fprintf(stderr, "exk-loop: %s\n", why);
+        }
         if (exk_store_match(store, rig->job_hash, rig->plan.cfg.dt_s, (size_t)rig->plan.n_ticks,
                             why, sizeof why) == EXK_STORE_OK) {
             return 0;

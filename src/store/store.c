@@ -2,6 +2,7 @@
 #include "exk/store.h"
 
 #include <inttypes.h>
+#include <limits.h>
 #include <math.h>
 #include <sodium.h>
 #include <stdbool.h>
@@ -11,6 +12,7 @@
 #include <zlib.h>
 
 #include "store_file.h"
+#include "store_on.h"
 
 enum { VERSION = 1, HEADER_BYTES = 48, CRC_BYTES = 4, SAMPLES_MAX = 100000000 };
 static const unsigned char magic[8] = {'E', 'X', 'K', 'I', 'L', 'C', 0, 0};
@@ -107,28 +109,9 @@ static void encode(const exk_store *store, unsigned char *bytes)
     put(at, crc_of(bytes, (size_t)(at - bytes)), CRC_BYTES);
 }
 
-exk_store_err exk_store_save(const char *path, const exk_store *store, char *why,
-                             size_t why_size)
-{
-    const size_t n_bytes = file_bytes(store->n_samples);
-    unsigned char *bytes = malloc(n_bytes);
-    if (bytes == NULL) {
-        snprintf(why, why_size, "%s: out of memory for %zu bytes; nothing was written", path,
-                 n_bytes);
-        return EXK_STORE_IO;
-    }
-    encode(store, bytes);
-    const exk_store_err err =
-        store_file_replace(path, bytes, n_bytes, magic, sizeof magic, why, why_size);
-    free(bytes);
-    return err;
-}
-
 static exk_store_err corrupt(char *why, size_t why_size, const char *path, const char *what)
 {
-    snprintf(why, why_size,
-             "%s: damaged ILC store: %s; train again or restore a copy of the file", path,
-             what);
+    snprintf(why, why_size, "%s: damaged ILC store: %s", path, what);
     return EXK_STORE_CORRUPT;
 }
 
@@ -202,17 +185,109 @@ static exk_store_err read_bytes(const char *path, const unsigned char *bytes, si
     return err;
 }
 
-exk_store_err exk_store_load(const char *path, exk_store *store, char *why, size_t why_size)
+static exk_store_err load_one(const store_os *os, const char *path, exk_store *store, char *why,
+                              size_t why_size)
 {
     *store = (exk_store){.n_samples = 0};
     size_t n_bytes = 0;
-    unsigned char *bytes = store_file_read(path, &n_bytes, why, why_size);
+    unsigned char *bytes = store_file_read(os, path, &n_bytes, why, why_size);
     if (bytes == NULL) {
         return EXK_STORE_IO;
     }
     const exk_store_err err = read_bytes(path, bytes, n_bytes, store, why, why_size);
     free(bytes);
     return err;
+}
+
+static void add(char *why, size_t why_size, const char *text)
+{
+    const size_t used = strlen(why);
+    snprintf(why + used, why_size - used, "%s", text);
+}
+
+/* path is not good, and why says so: the previous generation, where there is one that is. */
+static exk_store_err load_previous(const store_os *os, const char *path, exk_store_err err,
+                                   exk_store *store, char *why, size_t why_size)
+{
+    char previous[PATH_MAX];
+    char why_not[PATH_MAX + 256];
+    const bool there =
+        store_file_previous(path, previous, sizeof previous) && store_file_exists(os, previous);
+    if (there && load_one(os, previous, store, why_not, sizeof why_not) == EXK_STORE_OK) {
+        store->is_previous = true;
+        add(why, why_size, "; its previous generation is used: ");
+        add(why, why_size, previous);
+        return EXK_STORE_OK;
+    }
+    if (there) {
+        add(why, why_size, "; its previous generation is no better: ");
+        add(why, why_size, why_not);
+    }
+    if (err == EXK_STORE_CORRUPT) {
+        add(why, why_size, "; train again or restore a copy of the file");
+    }
+    return err;
+}
+
+exk_store_err store_load_on(const store_os *os, const char *path, exk_store *store, char *why,
+                            size_t why_size)
+{
+    const exk_store_err err = load_one(os, path, store, why, why_size);
+    return err == EXK_STORE_OK ? err : load_previous(os, path, err, store, why, why_size);
+}
+
+exk_store_err exk_store_load(const char *path, exk_store *store, char *why, size_t why_size)
+{
+    return store_load_on(store_os_posix(), path, store, why, why_size);
+}
+
+/* What is there now: EXK_STORE_OK is worth keeping; what is not ours stays untouched. */
+static exk_store_err look_at(const store_os *os, const char *path, char *why, size_t why_size)
+{
+    exk_store old;
+    const exk_store_err err = load_one(os, path, &old, why, why_size);
+    if (err == EXK_STORE_OK) {
+        exk_store_free(&old);
+    }
+    return err;
+}
+
+static exk_store_err replace(const store_os *os, const char *path, store_bytes fresh, char *why,
+                             size_t why_size)
+{
+    exk_store_err now = EXK_STORE_CORRUPT;
+    if (store_file_exists(os, path)) {
+        now = look_at(os, path, why, why_size);
+    }
+    if (now == EXK_STORE_NOT_OURS || now == EXK_STORE_IO) {
+        snprintf(why, why_size,
+                 "%s: exists and is not an ILC store: not overwritten; choose another name",
+                 path);
+        return EXK_STORE_NOT_OURS;
+    }
+    return store_file_replace(os, path, fresh, now == EXK_STORE_OK, why, why_size);
+}
+
+exk_store_err store_save_on(const store_os *os, const char *path, const exk_store *store,
+                            char *why, size_t why_size)
+{
+    const size_t n_bytes = file_bytes(store->n_samples);
+    unsigned char *bytes = malloc(n_bytes);
+    if (bytes == NULL) {
+        snprintf(why, why_size, "%s: out of memory for %zu bytes; nothing was written", path,
+                 n_bytes);
+        return EXK_STORE_IO;
+    }
+    encode(store, bytes);
+    const exk_store_err err = replace(os, path, (store_bytes){bytes, n_bytes}, why, why_size);
+    free(bytes);
+    return err;
+}
+
+exk_store_err exk_store_save(const char *path, const exk_store *store, char *why,
+                             size_t why_size)
+{
+    return store_save_on(store_os_posix(), path, store, why, why_size);
 }
 
 exk_store_err exk_store_match(const exk_store *store, uint64_t job_hash, double dt_s,

@@ -4,12 +4,9 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 static const off_t largest = (off_t)2 << 30;
 
@@ -19,10 +16,10 @@ static exk_store_err io_error(char *why, size_t why_size, const char *path, cons
     return EXK_STORE_IO;
 }
 
-static bool read_all(int fd, unsigned char *bytes, size_t n)
+static bool read_all(const store_os *os, int fd, unsigned char *bytes, size_t n)
 {
     for (size_t done = 0; done < n;) {
-        const ssize_t got = read(fd, bytes + done, n - done);
+        const ssize_t got = os->read(os->ctx, fd, bytes + done, n - done);
         if (got == 0 || (got < 0 && errno != EINTR)) {
             return false;
         }
@@ -31,10 +28,10 @@ static bool read_all(int fd, unsigned char *bytes, size_t n)
     return true;
 }
 
-static bool write_all(int fd, const unsigned char *bytes, size_t n)
+static bool write_all(const store_os *os, int fd, store_bytes fresh)
 {
-    for (size_t done = 0; done < n;) {
-        const ssize_t put = write(fd, bytes + done, n - done);
+    for (size_t done = 0; done < fresh.n;) {
+        const ssize_t put = os->write(os->ctx, fd, fresh.bytes + done, fresh.n - done);
         if (put < 0 && errno != EINTR) {
             return false;
         }
@@ -43,91 +40,104 @@ static bool write_all(int fd, const unsigned char *bytes, size_t n)
     return true;
 }
 
-unsigned char *store_file_read(const char *path, size_t *n_bytes, char *why, size_t why_size)
+unsigned char *store_file_read(const store_os *os, const char *path, size_t *n_bytes, char *why,
+                               size_t why_size)
 {
-    struct stat info;
     unsigned char *bytes = NULL;
     errno = 0;
-    const int fd = open(path, O_RDONLY | O_CLOEXEC);
-    if (fd < 0 || fstat(fd, &info) != 0 || !S_ISREG(info.st_mode) || info.st_size > largest) {
+    const int fd = os->open(os->ctx, path, O_RDONLY);
+    const off_t size = fd < 0 ? -1 : os->size(os->ctx, fd);
+    if (size < 0 || size > largest) {
         errno = fd >= 0 && errno == 0 ? EINVAL : errno;
         io_error(why, why_size, path, "cannot open the ILC store");
     } else {
-        *n_bytes = (size_t)info.st_size;
+        *n_bytes = (size_t)size;
         bytes = malloc(*n_bytes + 1);
-        if (bytes == NULL || !read_all(fd, bytes, *n_bytes)) {
+        if (bytes == NULL || !read_all(os, fd, bytes, *n_bytes)) {
             io_error(why, why_size, path, "cannot read the ILC store");
             free(bytes);
             bytes = NULL;
         }
     }
     if (fd >= 0) {
-        close(fd);
+        os->close(os->ctx, fd);
     }
     return bytes;
 }
 
-static bool is_foreign(const char *path, const unsigned char *magic, size_t n_magic)
+bool store_file_exists(const store_os *os, const char *path)
 {
-    unsigned char start[16] = {0};
-    const int fd = open(path, O_RDONLY | O_CLOEXEC);
-    if (fd < 0) {
-        return errno != ENOENT;
+    const int fd = os->open(os->ctx, path, O_RDONLY);
+    const bool missing = fd < 0 && errno == ENOENT;
+    if (fd >= 0) {
+        os->close(os->ctx, fd);
     }
-    const bool ours = read_all(fd, start, n_magic) && memcmp(start, magic, n_magic) == 0;
-    close(fd);
-    return !ours;
+    return !missing;
 }
 
-static bool sync_folder_of(const char *path)
+static bool name(const char *path, const char *ending, char *out, size_t size)
+{
+    const int length = snprintf(out, size, "%s%s", path, ending);
+    errno = ENAMETOOLONG;
+    return length > 0 && (size_t)length < size;
+}
+
+bool store_file_previous(const char *path, char *out, size_t size)
+{
+    return name(path, ".prev", out, size);
+}
+
+static bool sync_folder_of(const store_os *os, const char *path)
 {
     char folder[PATH_MAX];
     const char *slash = strrchr(path, '/');
     const int length = slash == NULL ? 1 : slash == path ? 1 : (int)(slash - path);
     snprintf(folder, sizeof folder, "%.*s", length, slash == NULL ? "." : path);
-    const int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    const bool good = fd >= 0 && fsync(fd) == 0;
+    const int fd = os->open(os->ctx, folder, O_RDONLY | O_DIRECTORY);
+    const bool good = fd >= 0 && os->fsync(os->ctx, fd) == 0;
     if (fd >= 0) {
-        close(fd);
+        os->close(os->ctx, fd);
     }
     return good;
 }
 
-static bool write_synced(const char *path, const unsigned char *bytes, size_t n_bytes)
+/* Always a new file: what an earlier crash left under this name may be the good one under another. */
+static bool write_synced(const store_os *os, const char *path, store_bytes fresh)
 {
-    const int fd = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    os->unlink(os->ctx, path);
+    const int fd = os->open(os->ctx, path, O_WRONLY | O_CREAT | O_EXCL);
     if (fd < 0) {
         return false;
     }
-    const bool written = write_all(fd, bytes, n_bytes) && fsync(fd) == 0;
+    const bool written = write_all(os, fd, fresh) && os->fsync(os->ctx, fd) == 0;
     const int reason = errno;
-    const bool closed = close(fd) == 0;
+    const bool closed = os->close(os->ctx, fd) == 0;
     errno = written ? errno : reason;
     return written && closed;
 }
 
-exk_store_err store_file_replace(const char *path, const unsigned char *bytes, size_t n_bytes,
-                                 const unsigned char *magic, size_t n_magic, char *why,
-                                 size_t why_size)
+static bool keep_previous(const store_os *os, const char *path, const char *previous)
 {
-    char fresh[PATH_MAX];
-    const int length = snprintf(fresh, sizeof fresh, "%s.new", path);
-    if (length < 0 || (size_t)length >= sizeof fresh) {
-        errno = ENAMETOOLONG;
+    os->unlink(os->ctx, previous);
+    return os->link(os->ctx, path, previous) == 0 || os->rename(os->ctx, path, previous) == 0;
+}
+
+exk_store_err store_file_replace(const store_os *os, const char *path, store_bytes fresh,
+                                 bool keep, char *why, size_t why_size)
+{
+    char next[PATH_MAX];
+    char previous[PATH_MAX];
+    if (!name(path, ".new", next, sizeof next) ||
+        !store_file_previous(path, previous, sizeof previous)) {
         return io_error(why, why_size, path, "cannot write the ILC store");
     }
-    if (is_foreign(path, magic, n_magic)) {
-        snprintf(why, why_size,
-                 "%s: exists and is not an ILC store: not overwritten; choose another name",
-                 path);
-        return EXK_STORE_NOT_OURS;
-    }
-    if (!write_synced(fresh, bytes, n_bytes) || rename(fresh, path) != 0) {
+    if (!write_synced(os, next, fresh) || (keep && !keep_previous(os, path, previous)) ||
+        os->rename(os->ctx, next, path) != 0) {
         io_error(why, why_size, path, "cannot write the ILC store, the old one stays");
-        unlink(fresh);
+        os->unlink(os->ctx, next);
         return EXK_STORE_IO;
     }
-    if (!sync_folder_of(path)) {
+    if (!sync_folder_of(os, path)) {
         return io_error(why, why_size, path, "written, but its folder could not be synced");
     }
     return EXK_STORE_OK;

@@ -35,6 +35,8 @@ void tearDown(void)
     char other[112];
     snprintf(other, sizeof other, "%s.new", path);
     unlink(other);
+    snprintf(other, sizeof other, "%s.prev", path);
+    unlink(other);
     unlink(path);
     rmdir(folder);
     exk_store_free(&made);
@@ -56,6 +58,7 @@ static size_t read_file(unsigned char *bytes, size_t size)
 
 static void write_file(const void *bytes, size_t n)
 {
+    unlink(path); /* some file systems sync a file that is cut to nothing */
     FILE *file = fopen(path, "wb");
     TEST_ASSERT_NOT_NULL(file);
     TEST_ASSERT_EQUAL_size_t(n, fwrite(bytes, 1, n, file));
@@ -105,6 +108,71 @@ static void every_shorter_length_is_refused(void)
     bytes[n] = 0;
     write_file(bytes, n + 1);
     TEST_ASSERT_EQUAL(EXK_STORE_CORRUPT, exk_store_load(path, &got, why, sizeof why));
+}
+
+/* Two generations; the newer one is spoilt: it is refused with the reason, the older one is used. */
+static void expect_previous(const void *bytes, size_t n)
+{
+    exk_store got;
+    char want[256];
+    write_file(bytes, n);
+    TEST_ASSERT_EQUAL_MESSAGE(EXK_STORE_OK, exk_store_load(path, &got, why, sizeof why), why);
+    TEST_ASSERT_TRUE(got.is_previous);
+    TEST_ASSERT_EQUAL_UINT32(3, got.iteration);
+    snprintf(want, sizeof want, "; its previous generation is used: %s.prev", path);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(why, want), why);
+    TEST_ASSERT_EQUAL_STRING_LEN(path, why, strlen(path));
+    exk_store_free(&got);
+}
+
+static void any_damage_leads_to_the_previous_generation(void)
+{
+    static unsigned char bytes[4096];
+    char previous[112];
+    save();
+    made.iteration = 4;
+    save();
+    const size_t n = read_file(bytes, sizeof bytes);
+    for (size_t bit = 0; bit < 8 * n; bit++) {
+        bytes[bit / 8] ^= (unsigned char)(1U << (bit % 8));
+        expect_previous(bytes, n);
+        bytes[bit / 8] ^= (unsigned char)(1U << (bit % 8));
+    }
+    for (size_t length = 0; length < n; length++) {
+        expect_previous(bytes, length);
+    }
+    exk_store got;
+    unlink(path);
+    TEST_ASSERT_EQUAL(EXK_STORE_OK, exk_store_load(path, &got, why, sizeof why));
+    TEST_ASSERT_NOT_NULL(strstr(why,
+                                "cannot open the ILC store: No such file or directory; its "
+                                "previous generation is used: "));
+    exk_store_free(&got);
+    snprintf(previous, sizeof previous, "%s.prev", path);
+    write_file(bytes, n / 2);
+    TEST_ASSERT_EQUAL(0, rename(path, previous));
+    write_file(bytes, n / 3);
+    TEST_ASSERT_EQUAL(EXK_STORE_CORRUPT, exk_store_load(path, &got, why, sizeof why));
+    TEST_ASSERT_NOT_NULL(strstr(why, "; its previous generation is no better: "));
+}
+
+/* A damaged store is no generation to keep: saving over it leaves the good one before it. */
+static void a_damaged_store_does_not_become_the_previous_one(void)
+{
+    static unsigned char bytes[4096];
+    exk_store got;
+    save();
+    made.iteration = 4;
+    save();
+    const size_t n = read_file(bytes, sizeof bytes);
+    bytes[80] ^= 1U;
+    write_file(bytes, n);
+    made.iteration = 5;
+    save();
+    unlink(path);
+    TEST_ASSERT_EQUAL(EXK_STORE_OK, exk_store_load(path, &got, why, sizeof why));
+    TEST_ASSERT_EQUAL_UINT32(3, got.iteration);
+    exk_store_free(&got);
 }
 
 static void one_flipped_bit_is_named(void)
@@ -200,6 +268,8 @@ int main(void)
     RUN_TEST(what_was_saved_is_loaded_to_the_bit);
     RUN_TEST(every_flipped_bit_is_refused);
     RUN_TEST(every_shorter_length_is_refused);
+    RUN_TEST(any_damage_leads_to_the_previous_generation);
+    RUN_TEST(a_damaged_store_does_not_become_the_previous_one);
     RUN_TEST(one_flipped_bit_is_named);
     RUN_TEST(another_job_is_refused_with_both_hashes);
     RUN_TEST(a_file_that_is_not_ours_stays);

@@ -26,6 +26,17 @@ for at in 9 20 200 $(($(stat -c %s a.ilc) - 1)); do
     expect_text err "$(damaged bit.ilc)"
 done
 [ -e c.lcm ] && fail "a log was started for a damaged store"
+# with a previous generation: said, and the run goes on with it; verify ends with 1
+cp a.ilc two.ilc
+expect_code 0 "$bin/exk-ilc" train a.ini -n 1 -o two.ilc
+cp bit.ilc two.ilc
+before="; its previous generation is used: two.ilc.prev"
+why=$(damaged two.ilc)
+expect_code 0 "$bin/exk-loop" a.ini --fast --ilc two.ilc -r c.lcm
+expect_text err "exk-loop: ${why%; train again*}$before"
+expect_code 1 "$bin/exk-ilc" verify two.ilc
+expect_text err "exk-ilc: ${why%; train again*}$before"
+
 head -c 100 a.ilc >cut.ilc
 expect_code 2 "$bin/exk-ilc" verify cut.ilc
 expect_text err "exk-ilc: $(damaged cut.ilc)"

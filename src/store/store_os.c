@@ -1,0 +1,70 @@
+#define _POSIX_C_SOURCE 200809L
+#include "store_os.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static int do_open(void *ctx, const char *path, int flags)
+{
+    (void)ctx;
+    return open(path, flags | O_CLOEXEC, 0666);
+}
+
+static ssize_t do_read(void *ctx, int fd, void *bytes, size_t n)
+{
+    (void)ctx;
+    return read(fd, bytes, n);
+}
+
+static ssize_t do_write(void *ctx, int fd, const void *bytes, size_t n)
+{
+    (void)ctx;
+    return write(fd, bytes, n);
+}
+
+static off_t do_size(void *ctx, int fd)
+{
+    struct stat info;
+    (void)ctx;
+    return fstat(fd, &info) == 0 && S_ISREG(info.st_mode) ? info.st_size : -1;
+}
+
+static int do_fsync(void *ctx, int fd)
+{
+    (void)ctx;
+    return fsync(fd);
+}
+
+static int do_close(void *ctx, int fd)
+{
+    (void)ctx;
+    return close(fd);
+}
+
+static int do_rename(void *ctx, const char *from, const char *to)
+{
+    (void)ctx;
+    return rename(from, to);
+}
+
+static int do_link(void *ctx, const char *from, const char *to)
+{
+    (void)ctx;
+    return link(from, to);
+}
+
+static int do_unlink(void *ctx, const char *path)
+{
+    (void)ctx;
+    return unlink(path);
+}
+
+static const store_os posix_calls = {do_open,  do_read,   do_write, do_size,   do_fsync,
+                                     do_close, do_rename, do_link,  do_unlink, NULL};
+
+const store_os *store_os_posix(void)
+{
+    return &posix_calls;
+}
