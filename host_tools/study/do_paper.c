@@ -119,6 +119,7 @@ static int with_paper(const study_options *options,
         code = check_also(options);
     }
     if (code == STUDY_GOOD) {
+        paper->by_steps = options->by_steps;
         code = act(options, paper);
     }
     free(paper);

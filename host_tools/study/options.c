@@ -21,7 +21,8 @@ enum {
     KEY_WRITE,
     KEY_ONLY,
     KEY_COMPARE,
-    KEY_SENSITIVITY
+    KEY_SENSITIVITY,
+    KEY_STEPS
 };
 
 static const char doc[] =
@@ -65,6 +66,8 @@ static const struct argp_option options[] = {
     {"resume", KEY_RESUME, "DIR", 0, "Keep finished blocks in DIR and go on from those there",
      0},
     {"only", KEY_ONLY, "S5,S6", 0, "paper, block, merge: these experiments alone, S1 to S9", 0},
+    {"steps", KEY_STEPS, NULL, 0,
+     "Every run step by step, as exk-loop does: slower, same bytes", 0},
     {"from", KEY_FROM, "A", 0, "block: first trial, a multiple of 50", 0},
     {"to", KEY_TO, "B", 0, "block: one past the last trial, a multiple of 50 or the end", 0},
     {"output", 'o', "FILE", 0, "block: the part file", 0},
@@ -206,6 +209,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_ONLY:
         out->only = arg;
         out->parts_run = parts_of(state, arg);
+        return 0;
+    case KEY_STEPS:
+        out->by_steps = true;
         return 0;
     case KEY_WRITE:
         out->write = true;

@@ -29,6 +29,7 @@ typedef struct {
     const char *with_sensitivity;
     const char *resume;
     const char *output; /* block */
+    bool by_steps;
     uint64_t from;
     uint64_t to;
     const char *only;   /* as given, NULL: all */

@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# -j 1, -j 2, four parts merged in any order, mpirun: the same JSON and CSV, byte for byte.
+# -j 1, -j 2, brief or step by step, four parts merged in any order, mpirun: the same JSON and CSV, byte for byte.
 source "$(dirname "$0")/common.sh"
 run paper --seeds 110 -j 1 --json one.json --csv one.csv
 run paper --seeds 110 -j 2 --json two.json --csv two.csv
 cmp one.json two.json && cmp one.csv two.csv
+run paper --seeds 110 -j 2 --steps --json steps.json --csv steps.csv
+cmp one.json steps.json && cmp one.csv steps.csv
 
 for from in 0 50 100; do
     to=$((from + 50 < 110 ? from + 50 : 110))
