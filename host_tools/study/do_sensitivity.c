@@ -99,7 +99,7 @@ static void print_row(const char *name, const study_paper *paper, const study_ta
                                       "S8_max", "S9_rate", "S9_mean"};
     size_t n = 0;
     const study_claim *claims = study_claims(&n);
-    printf("%-46s %9.3g %9.3g", name, paper->variant.walk_sigma, paper->variant.white_sigma);
+    printf("%-50s %9.3g %9.3g", name, paper->variant.walk_sigma, paper->variant.white_sigma);
     for (size_t j = 0; j < sizeof ids / sizeof ids[0]; j++) {
         for (size_t i = 0; i < n; i++) {
             if (claims[i].id[1] == ids[j][1] && claims[i].id[3] == ids[j][3] &&
@@ -157,7 +157,7 @@ static int run_rows(const study_options *options, study_paper *paper)
     if (table) {
         printf(
             "95 %% of one study over %llu seeds, mm; ! published figure outside; S6 is fitted "
-            "in every row\n%-46s %9s %9s %-14s %-14s %-14s %-14s %-14s %-14s\n",
+            "in every row\n%-50s %9s %9s %-14s %-14s %-14s %-14s %-14s %-14s\n",
             (unsigned long long)n, "choices", "order 1", "order 0", " S7_min", " S7_max",
             " S8_min", " S8_max", " S9_rate", " S9_mean");
     }

@@ -154,7 +154,7 @@ static json_t *model_json(const study_tally *tallies)
 /* S9 to S11 as printed; the counts of the two machines are assumed. */
 static json_t *published_json(const char *name, double mean_m, uint64_t k, uint64_t n)
 {
-    const double share = (double)k / (double)n;
+    const double share = k < n ? (double)k / (double)n : (double)NAN; /* all: no one fit */
     return json_pack(
         "{s:s, s:I, s:I, s:o, s:o, s:o}", "name", name, "n_inside", (json_int_t)k, "n_holes",
         (json_int_t)n, "wilson95", interval_json(exk_wilson(k, n, 0.95)), "rayleigh_of_mean",
