@@ -157,22 +157,47 @@ static void put_fitted(report_page *page)
     report_section_end(page);
 }
 
+/* "--only S5,S6" where some experiments were left out. */
+static void put_only(report_page *page)
+{
+    const char *before = " --only ";
+    for (int part = 0; part < STUDY_N_PARTS && page->paper->parts != STUDY_ALL_PARTS; part++) {
+        if (report_ran(page, (study_part)part)) {
+            fprintf(page->out, "%sS%d", before, part + 1);
+            before = ",";
+        }
+    }
+}
+
+static void put_commands(report_page *page, json_int_t n)
+{
+    fprintf(page->out, "<pre><code>exk-study compare --seeds %.0f --json compare.json\n",
+            report_number(page->also->compare, "seeds"));
+    if (page->also->sensitivity != NULL) {
+        fprintf(page->out, "exk-study sensitivity --seeds %.0f --json sensitivity.json\n",
+                report_number(page->also->sensitivity, "seeds"));
+    }
+    fprintf(page->out, "exk-study paper --seeds %" JSON_INTEGER_FORMAT, n);
+    put_only(page);
+    fprintf(page->out,
+            " --json paper.json --csv paper.csv --compare compare.json%s --report paper.html"
+            "</code></pre>\n",
+            page->also->sensitivity != NULL ? " --sensitivity sensitivity.json" : "");
+}
+
 static void put_repeat(report_page *page)
 {
     const json_int_t n = json_integer_value(json_object_get(page->result, "seeds"));
     section(page, REPEAT);
-    fprintf(page->out,
-            "<pre><code>exk-study paper --seeds %" JSON_INTEGER_FORMAT
-            " --json paper.json --csv paper.csv --report paper.html</code></pre>\n"
-            "<p>Made by exk-study %s. Trial i is series i of the counter-based random numbers, "
-            "i = 0 to %" JSON_INTEGER_FORMAT
-            ", with the seed that each profile names: any number of "
-            "threads, hosts or interruptions gives the same figures. The figures above show "
-            "trial 0; "
-            "<code>exk-loop --fast</code> on the same profile logs the same run. Numbers to "
-            "copy are "
-            "in paper.json and paper.csv.</p>\n",
-            n, EXK_VERSION, n - 1);
+    put_commands(page, n);
+    fprintf(
+        page->out,
+        "<p>Made by exk-study %s. Trial i is series i of the counter-based random numbers, i "
+        "= 0 to %" JSON_INTEGER_FORMAT ", with the seed that each profile names: any number of "
+        "threads, hosts or interruptions gives the same figures. Drawn paths and holes are "
+        "those of trial 0; <code>exk-loop --fast</code> on the same profile logs the same run. "
+        "Numbers to copy are in paper.json and paper.csv.</p>\n",
+        EXK_VERSION, n - 1);
     report_section_end(page);
 }
 

@@ -120,6 +120,16 @@ static void put_figure(report_page *page, const own_rows *rows)
     report_figure_end(page);
 }
 
+/* What is left of frozen noise after learning all of it is rounding. */
+static void put_mm(report_page *page, double value_mm)
+{
+    if (value_mm > 0.0 && value_mm < 1e-9) {
+        fputs("<td class=\"n\">&lt; 1e-9</td>", page->out);
+    } else {
+        report_cell_number(page, REPORT_DIGITS(4), value_mm);
+    }
+}
+
 static void put_row(report_page *page, const own_rows *rows, int i)
 {
     const json_t *fresh = rows->fresh[i], *frozen = rows->frozen[i];
@@ -131,9 +141,9 @@ static void put_row(report_page *page, const own_rows *rows, int i)
     report_cell_number(page, REPORT_DIGITS(4), report_number(fresh, "rms_over_floor"));
     report_cell_number(page, REPORT_DIGITS(4), report_number(fresh, "theory_rms_mm"));
     report_cell_number(page, REPORT_DIGITS(4), report_number(fresh, "last_point_mm"));
-    report_cell_number(page, REPORT_DIGITS(4), report_number(frozen, "rms_mm"));
-    report_cell_number(page, REPORT_DIGITS(4), report_number(frozen, "theory_rms_mm"));
-    report_cell_number(page, REPORT_DIGITS(4), report_number(frozen, "last_point_mm"));
+    put_mm(page, report_number(frozen, "rms_mm"));
+    put_mm(page, report_number(frozen, "theory_rms_mm"));
+    put_mm(page, report_number(frozen, "last_point_mm"));
     report_row_end(page);
 }
 

@@ -76,9 +76,11 @@ static const char *const rules[] = {
     "@media (max-width:34rem){main,header,footer{padding-left:.9rem;padding-right:.9rem}"
     "figure{padding:.7rem .6rem}.tiles dd{font-size:1.5rem}"
     ".tiles{grid-template-columns:1fr 1fr}caption{position:sticky;left:0;max-width:88vw}}\n",
-    "@media print{@page{margin:14mm}body{font-size:10pt}nav{display:none}"
+    "@media print{@page{margin:14mm}html{font-size:10pt}body{font-size:10pt}nav{display:none}"
     "main,header,footer{max-width:none;padding:0}h2{margin-top:1.4rem;break-after:avoid}"
-    "figure,.tiles div,tr{break-inside:avoid}h3,caption,.panel .name{break-after:avoid}"
+    "figure,.panel,.tiles "
+    "div,tr{break-inside:avoid}#fig-spread{break-inside:auto}h3,caption,.panel "
+    ".name{break-after:avoid}"
     "figure{padding:.5rem}.panels{grid-template-columns:1fr 1fr}.panel{max-width:8.2cm}"
     ".scroll{overflow:visible;border:0}table{font-size:7.6pt}th,td{padding:.2rem .35rem}"
     "tbody th{position:static}td.w{min-width:0}td.n{white-space:normal}"

@@ -51,10 +51,13 @@ static void attribute(const char *tag, const char *key, char *out, size_t size)
     }
 }
 
+/* A longer text keeps its beginning: ids of ours are far shorter. */
 static void remember(char (*list)[ID_MAX], size_t *n, const char *text)
 {
-    if (*n < IDS_MAX && text[0] != '\0') {
-        snprintf(list[(*n)++], ID_MAX, "%s", text);
+    const size_t length = strlen(text) < ID_MAX ? strlen(text) : ID_MAX - 1;
+    if (*n < IDS_MAX && length > 0) {
+        memcpy(list[*n], text, length);
+        list[(*n)++][length] = '\0';
     }
 }
 
