@@ -60,7 +60,7 @@ static const struct argp_option options[] = {
     {"csv", KEY_CSV, "FILE", 0, "paper, merge: every measure as CSV", 0},
     {"report", KEY_REPORT, "FILE", 0, "paper, merge: one HTML page with figures", 0},
     {"compare", KEY_COMPARE, "FILE", 0,
-     "report: with this JSON of exk-study compare (default: 100 seeds, run at once)", 0},
+     "report: with this JSON of exk-study compare (default: 200 seeds, run at once)", 0},
     {"sensitivity", KEY_SENSITIVITY, "FILE", 0,
      "report: with this JSON of exk-study sensitivity (default: left out)", 0},
     {"resume", KEY_RESUME, "DIR", 0, "Keep finished blocks in DIR and go on from those there",

@@ -18,7 +18,7 @@ int study_also_open(study_also *also, const char *compare_path, const char *sens
 int study_also_run(study_also *also, const char *profiles, const study_work *work);
 void study_also_close(study_also *also);
 
-enum { STUDY_ALSO_SEEDS = 100 }; /* of that run */
+enum { STUDY_ALSO_SEEDS = 200 }; /* of that run */
 
 /** Writes the page to path; an exit code. result is that of study_result. */
 int study_report(const study_paper *paper, const study_sums *totals, const json_t *result,
