@@ -4,3 +4,4 @@ exk_test(unit test_brief SOURCES ${CMAKE_CURRENT_LIST_DIR}/test_brief.c NEEDS ex
 exk_test(unit test_capture SOURCES ${CMAKE_CURRENT_LIST_DIR}/test_capture.c NEEDS exk::loop)
 exk_test(unit test_limits SOURCES ${CMAKE_CURRENT_LIST_DIR}/test_limits.c NEEDS exk::loop)
 exk_test(unit test_guard SOURCES ${CMAKE_CURRENT_LIST_DIR}/test_guard.c NEEDS exk::loop)
+exk_test(unit test_motion SOURCES ${CMAKE_CURRENT_LIST_DIR}/test_motion.c NEEDS exk::loop)
