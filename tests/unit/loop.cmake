@@ -5,3 +5,4 @@ exk_test(unit test_capture SOURCES ${CMAKE_CURRENT_LIST_DIR}/test_capture.c NEED
 exk_test(unit test_limits SOURCES ${CMAKE_CURRENT_LIST_DIR}/test_limits.c NEEDS exk::loop)
 exk_test(unit test_guard SOURCES ${CMAKE_CURRENT_LIST_DIR}/test_guard.c NEEDS exk::loop)
 exk_test(unit test_motion SOURCES ${CMAKE_CURRENT_LIST_DIR}/test_motion.c NEEDS exk::loop)
+exk_test(unit test_loop_states SOURCES ${CMAKE_CURRENT_LIST_DIR}/test_loop_states.c NEEDS exk::loop)
