@@ -61,7 +61,7 @@ static void put_maps(report_page *page, const report_trace traces[N_ORDERS])
     report_figure(page, "fig-grid25", "S7, S8: the 25 drilled points");
     for (int i = 0; i < N_ORDERS; i++) {
         char desc[160];
-        const report_map panel = {&traces[i], enlarged};
+        const report_map panel = {&traces[i], enlarged, true};
         snprintf(desc, sizeof desc,
                  "%zu holes on their targets: %zu inside, largest error %.4f mm.",
                  traces[i].n_holes, report_n_inside(&traces[i]), report_worst_mm(&traces[i]));

@@ -63,9 +63,12 @@ void report_draw_map(FILE *script, const void *ctx)
     snprintf(using, sizeof using, "($1+%g*$3):($2+%g*$4)", panel->enlarged, panel->enlarged);
     fprintf(script,
             "plot $all using 1:2:(%.6g) with circles lw 1.3 lc " PATH
-            ", $all using 1:2 with points pt 1 ps 0.8*mark_size lc " PATH
-            ", $all every ::0::0 using 1:2 with points pt 4 ps 3.4*mark_size lw 1.5 lc " INK,
+            ", $all using 1:2 with points pt 1 ps 0.8*mark_size lc " PATH,
             panel->enlarged * trace->tolerance_mm);
+    if (panel->start) {
+        fputs(", $all every ::0::0 using 1:2 with points pt 4 ps 3.4*mark_size lw 1.5 lc " INK,
+              script);
+    }
     report_put_marks(script, trace, using);
     fputs("\n", script);
 }

@@ -16,6 +16,7 @@ void report_put_marks(FILE *script, const report_trace *trace, const char *using
 typedef struct {
     const report_trace *trace;
     double enlarged;
+    bool start; /* a square round the first hole */
 } report_map;
 
 /** Targets with their tolerance circles and the holes as drilled; ctx is a report_map. */

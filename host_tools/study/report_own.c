@@ -189,7 +189,7 @@ void report_own(report_page *page)
 static void put_verdict(report_page *page, const json_t *verdict)
 {
     const bool inside = json_is_true(json_object_get(verdict, "inside"));
-    fprintf(page->out, "<td class=\"n %s\">%s %.4f to %.4f</td>", inside ? "good" : "bad",
+    fprintf(page->out, "<td class=\"n %s\">%s %.3f to %.3f</td>", inside ? "good" : "bad",
             inside ? "✓" : "✗", report_end(verdict, "prediction95", 0),
             report_end(verdict, "prediction95", 1));
 }
@@ -199,7 +199,13 @@ static void put_choice(report_page *page, const json_t *row)
     static const char *const ids[] = {"S7_min", "S7_max",  "S8_min",
                                       "S8_max", "S9_rate", "S9_mean"};
     const json_t *verdicts = json_object_get(row, "verdicts");
-    report_row_head(page, report_word(row, "choice"));
+    char head[32];
+    snprintf(head, sizeof head, "%.2f", report_number(row, "ilc_gain"));
+    report_row_head(page, head);
+    report_cell_number(page, 1, report_number(row, "dwell_s"));
+    report_cell_number(page, 0, report_number(row, "feed_mmps"));
+    report_cell(page, report_word(row, "model"));
+    report_cell_number(page, 0, report_number(row, "s9_order"));
     report_cell_number(page, 0, report_number(row, "n_inside_of_8"));
     for (size_t i = 0; i < sizeof ids / sizeof ids[0]; i++) {
         put_verdict(page, json_object_get(verdicts, ids[i]));
@@ -211,10 +217,21 @@ static void put_choice(report_page *page, const json_t *row)
 
 void report_sensitivity(report_page *page)
 {
-    static const char *const heads[] = {"Choice",          "Inside of 8", "S7_min",
-                                        "S7_max",          "S8_min",      "S8_max",
-                                        "S9_rate",         "S9_mean",     "First order, rad/√s",
-                                        "Zero order, rad", NULL};
+    static const char *const heads[] = {"K",
+                                        "Dwell, s",
+                                        "Feed, mm/s",
+                                        "Model",
+                                        "Order of S9",
+                                        "Inside of 8",
+                                        "S7_min",
+                                        "S7_max",
+                                        "S8_min",
+                                        "S8_max",
+                                        "S9_rate",
+                                        "S9_mean",
+                                        "First order, rad/√s",
+                                        "Zero order, rad",
+                                        NULL};
     char caption[192];
     size_t i = 0;
     const json_t *row = NULL;

@@ -96,6 +96,15 @@ static bool drawn(const report_page *page, const study_claim *claim)
     return claim->role != STUDY_REFERENCE && page->tallies[claim->of_interval].moments.n > 0;
 }
 
+/* How many studies stand behind the bars, group by group. */
+static void put_sizes(report_page *page)
+{
+    const uint64_t n_trials =
+        (uint64_t)json_integer_value(json_object_get(page->result, "seeds"));
+    fprintf(page->out, " n = %llu such means, %llu trials.",
+            (unsigned long long)(n_trials / STUDY_GROUP), (unsigned long long)n_trials);
+}
+
 void report_spread(report_page *page)
 {
     size_t n = 0;
@@ -115,14 +124,14 @@ void report_spread(report_page *page)
     report_legend_item(page, REPORT_LINE, "orange", "published");
     report_legend_item(page, REPORT_DASHED, "ink", "our mean");
     report_caption(page);
-    fprintf(
-        page->out,
-        "Bars: one value for each simulated study of the published size. S5 and S6 are means "
-        "of 10 simulations (n = %llu such studies), the others one trial each (n = %llu). "
-        "Seed %llu, noise %s.",
-        (unsigned long long)page->tallies[STUDY_M_S5_MEAN10].moments.n,
-        (unsigned long long)page->tallies[STUDY_M_S7_MIN].moments.n,
-        (unsigned long long)page->paper->profiles[STUDY_S5].timing.seed, page->paper->noise);
+    fputs("Bars: one value for each simulated study of the published size; S5 and S6 are means "
+          "of "
+          "10 simulations each, the others one trial each.",
+          page->out);
+    put_sizes(page);
+    fprintf(page->out, " Seed %llu, noise %s.",
+            (unsigned long long)page->paper->profiles[STUDY_S5].timing.seed,
+            page->paper->noise);
     report_figure_end(page);
 }
 
@@ -172,7 +181,7 @@ void report_overview(report_page *page)
     report_caption(page);
     fprintf(page->out,
             "A figure is inside when bar and band meet. n = %llu trials, seed %llu, noise %s.",
-            (unsigned long long)page->tallies[STUDY_M_S7_MIN].moments.n,
+            (unsigned long long)json_integer_value(json_object_get(page->result, "seeds")),
             (unsigned long long)page->paper->profiles[STUDY_S5].timing.seed,
             page->paper->noise);
     report_figure_end(page);

@@ -67,7 +67,7 @@ static const char *const rules[] = {
     "tbody th{font-weight:600;white-space:nowrap;position:sticky;left:0;"
     "background:var(--page)}\n"
     "td.n{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums}\n"
-    "td.good,td.bad{white-space:nowrap;font-weight:600}\n"
+    "td.good,td.bad{white-space:nowrap;font-weight:600}td.n{font-weight:400}\n"
     ".good{color:var(--good)}\n.bad{color:var(--bad)}\n"
     "td.w{min-width:14rem}\n"
     "pre{background:var(--box);border:1px solid var(--rule);border-radius:.5rem;"

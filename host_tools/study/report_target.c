@@ -67,8 +67,8 @@ static void put_caption(report_page *page, const report_trace *trace, double enl
 static void put_figure(report_page *page, const report_trace *trace)
 {
     char desc[160];
-    const report_map map = {trace,
-                            report_enlargement(report_worst_mm(trace), report_room_mm(trace))};
+    const report_map map = {
+        trace, report_enlargement(report_worst_mm(trace), report_room_mm(trace)), false};
     snprintf(desc, sizeof desc, "%zu holes, %zu of them inside %g mm, mean error %.4f mm.",
              trace->n_holes, report_n_inside(trace), trace->tolerance_mm, mean_mm(trace));
     report_figure(page, "fig-grid45", "S9: the 45 holes of the Exechon model");
@@ -82,6 +82,9 @@ static void put_figure(report_page *page, const report_trace *trace)
 void report_target45(report_page *page)
 {
     report_trace trace;
+    if (!report_ran(page, STUDY_PART_S9)) {
+        return;
+    }
     const int code =
         report_trace_open(&trace, page->paper->folder, STUDY_S9,
                           study_experiment_at(STUDY_S9)->n_runs, REPORT_AS_PROFILED);
