@@ -42,6 +42,10 @@ bool exk_bus_route(const char *url, char *why, size_t why_size);
 /** Bytes of receive buffer that the system grants when EXK_BUS_BUFFER_BYTES are asked for. */
 int64_t exk_bus_granted_bytes(void);
 
+/** Datagrams for the URL's port that the system dropped before this process read them (a full receive
+ *  buffer), all its sockets together; 0 where the system does not say. Reads /proc. */
+int64_t exk_bus_dropped(const char *url);
+
 /** The time to live in a udpm URL; 0, this host alone, when it says nothing. */
 int exk_bus_ttl(const char *url);
 

@@ -73,6 +73,9 @@ void exk_inbox_close(exk_inbox *inbox); /* NULL is allowed */
 /** Control thread: the next command that passed; false when there is none. */
 bool exk_inbox_take(exk_inbox *inbox, exk_command *out);
 
+/** Control thread: datagrams dropped by the system, as last looked at. */
+int64_t exk_inbox_dropped(const exk_inbox *inbox);
+
 /** Control thread: counts so far. */
 void exk_inbox_counts(const exk_inbox *inbox, exk_command_counts *out);
 

@@ -46,6 +46,9 @@ exk_source exk_link_source(exk_link *link);
 void exk_link_send(exk_link *link, int64_t k, const exk_drive *drive);
 void exk_link_collect(exk_link *link, int64_t k, exk_reading *out);
 
+/** Control thread: datagrams dropped by the system, as last looked at. */
+int64_t exk_link_dropped(const exk_link *link);
+
 /** Control thread: counts so far. */
 void exk_link_counts_so_far(const exk_link *link, exk_link_counts *out);
 

@@ -40,9 +40,12 @@ static void note_bus(loop_ticks *t)
 {
     if (t->link != NULL && !t->fast) {
         exk_link_counts_so_far(t->link, &t->record.bus.link);
+        t->record.bus.n_dropped = exk_link_dropped(t->link);
     }
     if (t->inbox != NULL) {
         exk_inbox_counts(t->inbox, &t->record.bus.command);
+        t->record.bus.n_dropped =
+            exk_inbox_dropped(t->inbox); /* of all sockets of the process */
     }
 }
 

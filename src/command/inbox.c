@@ -10,7 +10,8 @@
 #include "exk/realtime.h"
 #include "exk/ring.h"
 
-enum { SLOTS = 16, WAIT_MS = 50, CACHE_LINE = 64 };
+enum { SLOTS = 16, WAIT_MS = 50, CACHE_LINE = 64, URL_MAX = 1024 };
+static const int64_t look_us = 250000; /* how often the system is asked for its drops */
 
 struct exk_inbox {
     exk_ring ring;
@@ -19,6 +20,8 @@ struct exk_inbox {
     exk_gate gate; /* the reader's */
     _Atomic int64_t n_taken;
     _Atomic int64_t n_refused[EXK_REFUSED_COUNT];
+    _Atomic int64_t n_dropped;
+    char url[URL_MAX];
     pthread_t reader;
     bool has_reader;
     _Atomic bool stopping;
@@ -53,7 +56,13 @@ static void receive(void *ctx, const char *channel, const void *data, size_t byt
 static void *read_commands(void *ctx)
 {
     exk_inbox *inbox = ctx;
+    int64_t next_us = 0;
     while (!atomic_load_explicit(&inbox->stopping, memory_order_acquire)) {
+        if (exk_wall_us() >= next_us) {
+            next_us = exk_wall_us() + look_us;
+            atomic_store_explicit(&inbox->n_dropped, exk_bus_dropped(inbox->url),
+                                  memory_order_relaxed);
+        }
         if (exk_bus_wait(inbox->bus, WAIT_MS) < 0) {
             break; /* no more commands: the watchdog of the run holds it */
         }
@@ -87,6 +96,7 @@ exk_inbox *exk_inbox_open(const char *url, const exk_gate *gate, char *why, size
     }
     memset(inbox, 0, bytes);
     inbox->gate = *gate;
+    snprintf(inbox->url, sizeof inbox->url, "%s", url);
     exk_ring_init(&inbox->ring, inbox->slots, SLOTS, sizeof inbox->slots[0]);
     if (!start(inbox, url, why, why_size)) {
         exk_inbox_close(inbox);
@@ -120,4 +130,9 @@ void exk_inbox_counts(const exk_inbox *inbox, exk_command_counts *out)
     for (int i = 0; i < EXK_REFUSED_COUNT; i++) {
         out->n_refused[i] = atomic_load_explicit(&inbox->n_refused[i], memory_order_relaxed);
     }
+}
+
+int64_t exk_inbox_dropped(const exk_inbox *inbox)
+{
+    return atomic_load_explicit(&inbox->n_dropped, memory_order_relaxed);
 }

@@ -249,3 +249,8 @@ void exk_link_counts_so_far(const exk_link *link, exk_link_counts *out)
     out->n_foreign = atomic_load_explicit(&link->n_foreign, memory_order_relaxed);
     out->n_late = link->n_late;
 }
+
+int64_t exk_link_dropped(const exk_link *link)
+{
+    return atomic_load_explicit(&link->n_dropped, memory_order_relaxed);
+}

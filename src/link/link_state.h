@@ -43,6 +43,7 @@ struct exk_link {
     _Atomic int64_t n_repeated;
     _Atomic int64_t n_reordered;
     _Atomic int64_t n_foreign;
+    _Atomic int64_t n_dropped;
 
     /* the control thread's own */
     int64_t next_seq;

@@ -6,6 +6,7 @@
 #include "link_state.h"
 
 enum { READER_WAIT_MS = 50 };
+static const int64_t look_us = 250000; /* how often the system is asked for its drops */
 static const double polls_per_tick = 20.0;
 static const double poll_min_s = 10e-6;
 static const double poll_max_s = 200e-6;
@@ -13,7 +14,13 @@ static const double poll_max_s = 200e-6;
 static void *read_answers(void *ctx)
 {
     exk_link *link = ctx;
+    int64_t next_us = 0;
     while (!atomic_load_explicit(&link->stopping, memory_order_acquire)) {
+        if (exk_wall_us() >= next_us) {
+            next_us = exk_wall_us() + look_us;
+            atomic_store_explicit(&link->n_dropped, exk_bus_dropped(link->cfg.url),
+                                  memory_order_relaxed);
+        }
         if (exk_bus_wait(link->in, READER_WAIT_MS) < 0) {
             break; /* silence from here on: the guard of the loop counts it */
         }

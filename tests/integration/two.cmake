@@ -12,4 +12,14 @@ if(EXK_WITH_LCM)
             ARGS ${PROJECT_BINARY_DIR}/bin ${PROJECT_SOURCE_DIR}/profiles ${port} ${port_behind}
                 $<TARGET_FILE:exk_relay> $<TARGET_FILE:exk_last_status>)
     endforeach()
+    add_executable(exk_hostile ${CMAKE_CURRENT_LIST_DIR}/hostile/hostile.c)
+    target_link_libraries(exk_hostile PRIVATE exk::command exk::realtime exk_warnings)
+    foreach(name bus quiet_flood logger)
+        exk_test_port(port)
+        exk_script_test(integration test_hostile_${name}
+            ${CMAKE_CURRENT_LIST_DIR}/hostile/${name}.sh
+            ARGS ${PROJECT_BINARY_DIR}/bin ${PROJECT_SOURCE_DIR}/profiles ${port} 0
+                $<TARGET_FILE:exk_relay> $<TARGET_FILE:exk_last_status>
+                $<TARGET_FILE:exk_hostile>)
+    endforeach()
 endif()

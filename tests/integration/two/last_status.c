@@ -9,8 +9,9 @@ static void print(const exk_wire_status *s)
 {
     const exk_link_counts *link = &s->bus.link;
     const exk_command_counts *command = &s->bus.command;
-    printf("state %s\nfault %" PRId32 "\nsteps %" PRId64 "\nbad %" PRId64 "\n",
-           exk_state_name(s->state), s->fault, s->n_steps, s->n_bad);
+    printf("run_id %" PRId64 "\nstate %s\nfault %" PRId32 "\nsteps %" PRId64 "\nbad %" PRId64
+           "\n",
+           s->stamp.run_id, exk_state_name(s->state), s->fault, s->n_steps, s->n_bad);
     printf("lost %" PRId64 "\nlate %" PRId64 "\nrepeated %" PRId64 "\nreordered %" PRId64
            "\nforeign %" PRId64 "\ntaken %" PRId64 "\n",
            link->n_lost, link->n_late, link->n_repeated, link->n_reordered, link->n_foreign,
