@@ -155,6 +155,14 @@ int ilc_train(const ilc_options *options)
 {
     training t = {.options = options, .p = 1};
     int code = exk_rig_open(&t.rig, options->input);
+    if (code == ILC_GOOD && t.rig.from == EXK_FROM_BUS) {
+        fprintf(stderr,
+                "exk-ilc: %s: source = bus in [loop]: a series is trained on a twin in this "
+                "process; take source = twin, or learn from logs: exk-loop -r, exk-ilc learn\n",
+                options->input);
+        exk_rig_close(&t.rig);
+        return ILC_INPUT;
+    }
     if (code == ILC_GOOD) {
         code = train_open(&t);
         exk_rig_close(&t.rig);

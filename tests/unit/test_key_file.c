@@ -67,15 +67,14 @@ static void digits_are_the_bytes(void)
 
 static void what_is_no_key_is_refused(void)
 {
-    static const char *const texts[] = {
-        "",
-        "\n",
-        "secret",
-        DIGITS "0",
-        DIGITS "\n\n",
-        DIGITS " ",
-        "g" DIGITS,
-        "00010203:405060708090a0b0c0d0e0f101112131415161718191a1b1c1d1e1f"};
+    static const char one_more[] = DIGITS "0";
+    static const char two_lines[] = DIGITS "\n\n";
+    static const char blank[] = DIGITS " ";
+    static const char not_hex[] = "g" DIGITS;
+    static const char colon[] =
+        "00:10203405060708090a0b0c0d0e0f101112131415161718191a1b1c1d1e1f0";
+    static const char *const texts[] = {"",        "\n",  "secret", one_more,
+                                        two_lines, blank, not_hex,  colon};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
         unlink(path);
         write_key(texts[i], 0600);
