@@ -77,7 +77,8 @@ typedef struct {
     int64_t lateness_ns[3]; /* median, 99 %, largest */
     int64_t step_ns[3];     /* the same */
     exk_bus_counts bus;
-    exk_loop_report loop; /* of the fault: cause, quantity, index, value, limit, sample, k, hole */
+    exk_loop_report
+        loop; /* of the fault: cause, quantity, index, value, limit, sample, k, hole */
     char reason[EXK_FAULT_TEXT_MAX];
     char rights[EXK_WIRE_TEXT_MAX];
 } exk_wire_status;
