@@ -83,38 +83,32 @@ static bool wait_for_controller(sender *s)
     return s->has_status;
 }
 
-static int64_t refused(const exk_command_counts *counts)
+/* What was refused since, of the kinds that a command of ours can meet; others may have sent it. */
+static bool say_refusals(const exk_command_counts *before, const exk_command_counts *after)
 {
-    int64_t n = 0;
-    for (int i = 0; i < EXK_REFUSED_COUNT; i++) {
-        n += counts->n_refused[i];
-    }
-    return n;
-}
-
-static void say_refusal(const exk_command_counts *before, const exk_command_counts *after)
-{
-    for (int i = 0; i < EXK_REFUSED_COUNT; i++) {
+    bool any = false;
+    for (int i = EXK_REFUSED_RUN; i < EXK_REFUSED_COUNT; i++) {
         if (after->n_refused[i] > before->n_refused[i]) {
             fprintf(stderr, "exk-command: refused: %s\n", exk_refusal_name((exk_refusal)i));
+            any = true;
         }
     }
+    return any;
 }
 
-/* The controller says nothing to a sender but its counts; others' commands count there as well. */
+/* The controller answers with its counts and with the seq of the last command it took. */
 static int wait_for_reply(sender *s, const exk_command_counts *before)
 {
     const int64_t until_us = exk_wall_us() + reply_us;
     const exk_command_counts *now = &s->status.bus.command;
     while (stop_signal == 0 && exk_wall_us() < until_us) {
-        if (now->n_taken > before->n_taken) {
+        if (now->last_seq >= s->last_seq) {
             return 0;
         }
-        if (refused(now) > refused(before)) {
-            say_refusal(before, now);
-            return EXIT_REFUSED;
-        }
         exk_bus_wait(s->bus, 50);
+    }
+    if (say_refusals(before, now)) {
+        return EXIT_REFUSED;
     }
     return complain(EXIT_REFUSED, "no reply: does the profile of this run say allow = yes in "
                                   "[command], and is it a real-time run?");

@@ -30,6 +30,7 @@ typedef enum {
 
 typedef struct {
     int64_t n_taken;
+    int64_t last_seq; /* of the last one taken; 0 before the first */
     int64_t n_refused[EXK_REFUSED_COUNT];
 } exk_command_counts;
 

@@ -117,6 +117,7 @@ bool exk_gate_pass(exk_gate *gate, const void *data, size_t bytes, int64_t now_u
     }
     gate->last_seq = m.seq;
     gate->counts.n_taken++;
+    gate->counts.last_seq = m.seq;
     *out = (exk_command)m.command;
     return true;
 }

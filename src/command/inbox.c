@@ -19,6 +19,7 @@ struct exk_inbox {
     exk_bus *bus;
     exk_gate gate; /* the reader's */
     _Atomic int64_t n_taken;
+    _Atomic int64_t last_seq;
     _Atomic int64_t n_refused[EXK_REFUSED_COUNT];
     _Atomic int64_t n_dropped;
     char url[URL_MAX];
@@ -31,6 +32,7 @@ static void publish_counts(exk_inbox *inbox)
 {
     const exk_command_counts *counts = &inbox->gate.counts;
     atomic_store_explicit(&inbox->n_taken, counts->n_taken, memory_order_relaxed);
+    atomic_store_explicit(&inbox->last_seq, counts->last_seq, memory_order_relaxed);
     for (int i = 0; i < EXK_REFUSED_COUNT; i++) {
         atomic_store_explicit(&inbox->n_refused[i], counts->n_refused[i], memory_order_relaxed);
     }
@@ -42,12 +44,13 @@ static void receive(void *ctx, const char *channel, const void *data, size_t byt
                     int64_t received_us)
 {
     exk_inbox *inbox = ctx;
+    const exk_command_counts before = inbox->gate.counts;
     exk_command command;
     (void)channel;
     (void)received_us;
     if (exk_gate_pass(&inbox->gate, data, bytes, exk_wall_us(), &command) &&
         !exk_ring_push(&inbox->ring, &command)) {
-        inbox->gate.counts.n_taken--;
+        inbox->gate.counts = before;
         inbox->gate.counts.n_refused[EXK_REFUSED_FULL]++;
     }
     publish_counts(inbox);
@@ -127,6 +130,7 @@ bool exk_inbox_take(exk_inbox *inbox, exk_command *out)
 void exk_inbox_counts(const exk_inbox *inbox, exk_command_counts *out)
 {
     out->n_taken = atomic_load_explicit(&inbox->n_taken, memory_order_relaxed);
+    out->last_seq = atomic_load_explicit(&inbox->last_seq, memory_order_relaxed);
     for (int i = 0; i < EXK_REFUSED_COUNT; i++) {
         out->n_refused[i] = atomic_load_explicit(&inbox->n_refused[i], memory_order_relaxed);
     }

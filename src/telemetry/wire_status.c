@@ -80,6 +80,7 @@ static void pack_bus(exk_status_t *m, const exk_bus_counts *bus)
     m->n_answers_reordered = bus->link.n_reordered;
     m->n_answers_foreign = bus->link.n_foreign;
     m->n_commands = bus->command.n_taken;
+    m->last_command_seq = bus->command.last_seq;
     memcpy(m->n_refused, bus->command.n_refused, sizeof m->n_refused);
     m->n_bus_dropped = bus->n_dropped;
 }
@@ -150,6 +151,7 @@ static void unpack_bus(exk_bus_counts *bus, const exk_status_t *m)
     bus->link.n_reordered = m->n_answers_reordered;
     bus->link.n_foreign = m->n_answers_foreign;
     bus->command.n_taken = m->n_commands;
+    bus->command.last_seq = m->last_command_seq;
     memcpy(bus->command.n_refused, m->n_refused, sizeof m->n_refused);
     bus->n_dropped = m->n_bus_dropped;
 }

@@ -182,7 +182,7 @@ static exk_wire_status some_status(void)
         s.step_ns[i] = 50 + i;
     }
     s.bus.link = (exk_link_counts){60, 61, 62, 63, 64};
-    s.bus.command = (exk_command_counts){65, {70, 71, 72, 73, 74, 75, 76}};
+    s.bus.command = (exk_command_counts){65, 66, {70, 71, 72, 73, 74, 75, 76}};
     s.bus.n_dropped = 80;
     s.loop.cause = EXK_CAUSE_SENSOR;
     s.loop.motion = EXK_MOTION_RETRACT;
