@@ -33,7 +33,7 @@ get_property(programs GLOBAL PROPERTY EXK_PROGRAMS)
 add_custom_target(programs DEPENDS ${programs})
 
 # Man pages, made of each program's own --help.
-if(HELP2MAN AND NOT EXK_SANITIZE AND NOT EXK_COVERAGE AND NOT CMAKE_CROSSCOMPILING)
+if(HELP2MAN AND NOT EXK_INSTRUMENTED AND NOT CMAKE_CROSSCOMPILING)
     set(pages)
     foreach(program ${programs})
         set(page ${PROJECT_BINARY_DIR}/man/${program}.1)

@@ -7,12 +7,29 @@ target_compile_options(exk_warnings INTERFACE
     -ffp-contract=off
     $<$<BOOL:${EXK_WERROR}>:-Werror>)
 
-if(EXK_SANITIZE)
-    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all
-        -fno-omit-frame-pointer)
-    add_link_options(-fsanitize=address,undefined)
+# Each of these builds is of its own; names, variables and pages are looked at in the plain ones.
+if(EXK_SANITIZE OR EXK_TSAN OR EXK_FUZZ OR EXK_COVERAGE OR EXK_MCDC)
+    set(EXK_INSTRUMENTED ON)
+endif()
+
+function(exk_instrument)
+    add_compile_options(${ARGN})
+    add_link_options(${ARGN})
+endfunction()
+
+if(EXK_SANITIZE OR EXK_FUZZ)
+    exk_instrument(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+endif()
+if(EXK_FUZZ)
+    exk_instrument(-fsanitize=fuzzer-no-link)
+endif()
+if(EXK_TSAN)
+    exk_instrument(-fsanitize=thread)
 endif()
 if(EXK_COVERAGE)
-    add_compile_options(--coverage -fprofile-update=atomic)
-    add_link_options(--coverage)
+    exk_instrument(--coverage -fprofile-update=atomic)
+endif()
+if(EXK_MCDC)
+    exk_instrument(-fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc
+        -fprofile-update=atomic)
 endif()

@@ -6,7 +6,7 @@ foreach(room ${core})
     list(APPEND archives $<TARGET_FILE:${room}>)
 endforeach()
 set(guard ${CMAKE_CURRENT_LIST_DIR}/guard)
-if(NOT EXK_SANITIZE AND NOT EXK_COVERAGE)
+if(NOT EXK_INSTRUMENTED)
     add_library(exk_impure STATIC ${guard}/impure.c)
     exk_script_test(integration test_core_names ${guard}/names.sh ARGS ${CMAKE_NM} ${archives})
     exk_script_test(integration test_core_variables ${guard}/variables.sh
