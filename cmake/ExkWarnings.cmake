@@ -4,6 +4,7 @@ target_compile_options(exk_warnings INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wstrict-prototypes
     -Wmissing-prototypes -Wold-style-definition -Wundef -Wvla -Wcast-qual -Wwrite-strings
     -Wswitch-enum -Wpointer-arith -Wformat=2 -Wnull-dereference
+    $<$<C_COMPILER_ID:Clang>:-Wno-enum-float-conversion> # counts are enumerators
     -ffp-contract=off
     $<$<BOOL:${EXK_WERROR}>:-Werror>)
 
