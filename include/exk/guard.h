@@ -6,9 +6,11 @@
  *  Expected  x[k] = a x[k-1] + (1-a) q[k], a = exp(-dt/tau): the servo as the profile describes it.
  *          d = m - x is what disturbances and sensor add. The guard follows it,
  *              d^ <- d^ + K (d - d^),   K = P/(P+R), P = (Q + sqrt(Q^2 + 4 Q R))/2, K >= 0.1,
- *          the scalar Kalman filter of a walk (variance Q a step) under white noise (variance R).
+ *          the scalar Kalman filter of a walk (variance Q a step) under white noise (variance R). A value
+ *          that repeats the two before tells nothing new: d^ stays, so that a sensor that sticks and
+ *          comes back is judged by what was known before.
  *  Spike   |d - d^| > n_sigmas sqrt(P+R + (n-1) Q) + n drift/K + quantum, n ticks after the last good
- *          sample. sqrt(2) of the first term while d^ is young (1/K samples). So the limit grows while
+ *          sample that told something. sqrt(2) of the first term while d^ is young (1/K samples). So the limit grows while
  *          nothing is known, and a true change of course is accepted in the end. Accepting a sample
  *          just inside the limit moves d^ by K of it: the good samples after it stay good.
  *  Stuck   the same bits n times in a row, n = stuck_s/dt (3 at least), counted only
@@ -17,7 +19,9 @@
  *            right, also where corrections move the command to keep it so; or
  *          - where sensor noise is not below the quantum; n is then also large enough that clean
  *            samples repeat so often once in 1e9 only (a value repeats with p <= q/(2 sqrt(pi) sigma)).
- *  First   after init or reset the first sample has no expectation: range only.
+ *  First   after init or reset a sample is a spike beyond start_rad + n_sigmas sqrt(2 R + (k+1) Q) +
+ *          (k+1) drift + quantum from x
+ *          (start_rad INFINITY: range only); after forget the first one is believed within the range.
  *  Shapes  both angles.  Units  rad, s; sigmas are per sample.
  *  Errors  init: EXK_ERR_ARG (dt, angle_max not > 0 and finite; a size negative or NaN; n_sigmas not
  *          > 0, INFINITY: no spike is judged; stuck_s 0: stuck is not judged).
@@ -57,6 +61,7 @@ typedef struct {
     double white_rad;     /* sqrt(R): new in every sample */
     double walk_rad;      /* sqrt(Q): adds up, a step */
     double drift_rad;     /* steady movement, a step, at most */
+    double start_rad;     /* steady offset of the first sample, at most; INFINITY: not known */
     double noise_rad;     /* of the sensor alone */
     double quantum_rad;   /* of the sensor, 0: none */
     double n_sigmas;      /* of a spike */
@@ -70,6 +75,8 @@ typedef struct {
     double raw_rad;       /* newest finite sample, good or not */
     double moved_from;    /* reference when raw last changed */
     int64_t n_same;       /* repeats of raw */
+    int64_t k_news;       /* last tick that told something */
+    int64_t n_news;       /* samples in d^; 0: nothing known */
 } exk_guard_axis;
 
 typedef struct {
@@ -84,10 +91,9 @@ typedef struct {
     exk_guard_axis axis[EXK_N_AXES];
     double command_rad[EXK_N_AXES]; /* of tick k, as is asked_rad, the reference */
     double asked_rad[EXK_N_AXES];
-    int64_t k;          /* tick of x, -1 before the first */
-    int64_t k_good;     /* last good tick */
-    int64_t newest;     /* tick of the newest sample that arrived, -1: none */
-    int64_t n_row_good; /* samples in d^; 0: nothing known */
+    int64_t k;      /* tick of x, -1 before the first */
+    int64_t newest; /* tick of the newest sample that arrived, -1: none */
+    bool starts;    /* no sample was good since reset */
     int64_t n[EXK_SAMPLE_COUNT];
     int bad_axis; /* of the last rejected sample: its angle, value and limit */
     double bad_value;
@@ -100,6 +106,9 @@ exk_err exk_guard_init(exk_guard *guard, const exk_guard_config *cfg);
 
 /** Forgets the machine, keeps the configuration and the counts. */
 void exk_guard_reset(exk_guard *guard);
+
+/** Forgets what the machine adds: it may have been seen to. */
+void exk_guard_forget(exk_guard *guard);
 
 /** Judges the reading of tick k, whose reference was r and command q. k may jump; x is carried over
  *  skipped ticks. */

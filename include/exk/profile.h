@@ -64,10 +64,10 @@ typedef struct {
 } exk_telemetry_config;
 
 typedef struct {
-    double
-        sigma_rad; /* of the innovation of a good sample; 0: what sensor and disturbances give */
-    double n_sigmas; /* of a spike, INFINITY: not judged */
-    double stuck_s;  /* 0: not judged */
+    double sigma_rad; /* of a good sample; 0: what sensor and disturbances give */
+    double start_rad; /* offset of the first; 0: what disturbances give, INFINITY: any */
+    double n_sigmas;  /* of a spike, INFINITY: not judged */
+    double stuck_s;   /* 0: not judged */
     double retract_after_s;
 } exk_guard_keys;
 

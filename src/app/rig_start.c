@@ -30,6 +30,7 @@ static exk_guard_config guard_of(const exk_rig *rig)
     exk_guard_expect(&rig->profile.twin, duration_s, &guard);
     guard.n_sigmas = keys->n_sigmas;
     guard.stuck_s = keys->stuck_s;
+    guard.start_rad = keys->start_rad > 0.0 ? keys->start_rad : guard.start_rad;
     if (keys->sigma_rad > 0.0) {
         guard.white_rad = share_of_sigma * keys->sigma_rad;
         guard.walk_rad = share_of_sigma * keys->sigma_rad;

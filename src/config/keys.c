@@ -223,6 +223,9 @@ static const exk_key keys[] = {
     {IN, "sigma_rad", EXK_KEY_NUMBER, &rad, P(guard.sigma_rad), 0.0, DBL_MAX, false, false,
      NULL, "0: from [sensor] and [disturbance.N]",
      "how far a good sample is from what was expected, one sigma"},
+    {IN, "start_mrad", EXK_KEY_NUMBER, &mrad, P(guard.start_rad), 0.0, (double)INFINITY, false,
+     false, NULL, "0: from [disturbance.N]",
+     "how far the first sample may be from the command beside its noise; inf: any"},
     NUM("spike_sigmas", exk_unit_none, P(guard.n_sigmas), ABOVE_0_TO((double)INFINITY),
         "a sample farther off than this is a spike; inf: none is. A replay is judged only with "
         "sigma_rad"),

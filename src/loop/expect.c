@@ -3,11 +3,13 @@
 #include "exk/guard.h"
 #include "exk/units.h"
 
-/* What one disturbance does from one sample to the next: squares of white and walk, and drift. */
+/* What one disturbance does from one sample to the next: squares of white and walk, and drift; and where
+ * it may begin. */
 typedef struct {
     double white2;
     double walk2;
     double drift;
+    double start;
 } steps;
 
 static const double rate_sigmas = 5.0; /* of the drift that an integrated walk reaches */
@@ -35,6 +37,7 @@ static void add_sine(const exk_disturbance_config *d, double dt_s, double durati
     const double rate = w_radps * duration_s > 2.0 ? 2.0 * size / w_radps : size * duration_s;
     const double slope[] = {size * w_radps, size, rate};
     out->drift += slope[d->order] * dt_s;
+    out->start += d->order == 0 ? size : 0.0;
 }
 
 static void add_constant(const exk_disturbance_config *d, double dt_s, double duration_s,
@@ -42,6 +45,7 @@ static void add_constant(const exk_disturbance_config *d, double dt_s, double du
 {
     const double slope[] = {0.0, 1.0, duration_s};
     out->drift += fabs(d->amplitude) * slope[d->order] * dt_s;
+    out->start += d->order == 0 ? fabs(d->amplitude) : 0.0;
 }
 
 static void add_steps(const exk_disturbance_config *d, double dt_s, double duration_s,
@@ -65,7 +69,7 @@ static void add_steps(const exk_disturbance_config *d, double dt_s, double durat
 
 void exk_guard_expect(const exk_twin_config *twin, double duration_s, exk_guard_config *cfg)
 {
-    steps sum = {twin->sensor_sigma_rad * twin->sensor_sigma_rad, 0.0, 0.0};
+    steps sum = {twin->sensor_sigma_rad * twin->sensor_sigma_rad, 0.0, 0.0, 0.0};
     for (size_t i = 0; i < twin->n_disturbances && i < EXK_MAX_DISTURBANCES; i++) {
         add_steps(&twin->disturbance[i], twin->dt_s, duration_s, &sum);
     }
@@ -74,6 +78,7 @@ void exk_guard_expect(const exk_twin_config *twin, double duration_s, exk_guard_
     cfg->white_rad = sqrt(sum.white2);
     cfg->walk_rad = sqrt(sum.walk2);
     cfg->drift_rad = sum.drift;
+    cfg->start_rad = sum.start;
     cfg->noise_rad = twin->sensor_sigma_rad;
     cfg->quantum_rad = twin->sensor_quantum_rad;
 }

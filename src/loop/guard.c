@@ -26,8 +26,12 @@ const char *exk_sample_kind_name(exk_sample_kind kind)
 
 exk_guard_config exk_guard_default(void)
 {
-    return (exk_guard_config){
-        .dt_s = 1e-3, .angle_max_rad = 0.6, .n_sigmas = (double)INFINITY, .stuck_s = 0.015};
+    const double no_limit = (double)INFINITY;
+    return (exk_guard_config){.dt_s = 1e-3,
+                              .angle_max_rad = 0.6,
+                              .start_rad = no_limit,
+                              .n_sigmas = no_limit,
+                              .stuck_s = 0.015};
 }
 
 static bool is_size(double x)
@@ -45,7 +49,8 @@ static exk_err check(const exk_guard_config *c)
     const bool good = is_positive(c->dt_s) && is_positive(c->angle_max_rad) &&
                       is_size(c->servo_tau_s) && is_size(c->white_rad) &&
                       is_size(c->walk_rad) && is_size(c->drift_rad) && is_size(c->noise_rad) &&
-                      is_size(c->quantum_rad) && is_size(c->stuck_s) && c->n_sigmas > 0.0;
+                      is_size(c->quantum_rad) && is_size(c->stuck_s) && c->start_rad >= 0.0 &&
+                      c->n_sigmas > 0.0;
     return good ? EXK_OK : EXK_ERR_ARG;
 }
 
@@ -90,17 +95,22 @@ exk_err exk_guard_init(exk_guard *g, const exk_guard_config *cfg)
     return EXK_OK;
 }
 
-void exk_guard_reset(exk_guard *g)
+void exk_guard_forget(exk_guard *g)
 {
     g->k = -1;
-    g->k_good = -1;
     g->newest = -1;
-    g->n_row_good = 0;
+    g->starts = false;
     for (int i = 0; i < EXK_N_AXES; i++) {
         g->axis[i] = (exk_guard_axis){.raw_rad = (double)NAN};
         g->command_rad[i] = 0.0;
         g->asked_rad[i] = 0.0;
     }
+}
+
+void exk_guard_reset(exk_guard *g)
+{
+    exk_guard_forget(g);
+    g->starts = true;
 }
 
 static double approach(double x, double decay, double to)
@@ -182,18 +192,28 @@ static bool is_stuck(const exk_guard *g, exk_guard_axis *axis, double m_rad)
     return moved_rad > least_rad || (g->n_stuck_rest > 0 && axis->n_same >= g->n_stuck_rest);
 }
 
-/* Limit of a spike n ticks after the last good sample. */
-static double spike_limit(const exk_guard *g, int64_t n)
+/* Limit of a spike at tick k: n ticks after the last sample that told something. */
+static double spike_limit(const exk_guard *g, const exk_guard_axis *axis, int64_t k)
 {
-    const bool young = (double)g->n_row_good * g->gain < 1.0;
-    if (n == 1 && !young) {
+    const bool young = (double)axis->n_news * g->gain < 1.0;
+    const int64_t n = k - axis->k_news;
+    if (n <= 1 && !young) {
         return g->limit_rad;
     }
     const double Q = g->cfg.walk_rad * g->cfg.walk_rad;
-    const double steps = (double)n;
+    const double steps = n > 1 ? (double)n : 1.0;
     const double variance = (young ? young_variance : 1.0) * g->variance + (steps - 1.0) * Q;
     return g->cfg.n_sigmas * sqrt(variance) + steps * g->fixed_rad + g->cfg.quantum_rad +
            rounding_rad;
+}
+
+static double start_limit(const exk_guard *g)
+{
+    const double Q = g->cfg.walk_rad * g->cfg.walk_rad;
+    const double R = g->cfg.white_rad * g->cfg.white_rad;
+    const double ticks = (double)g->k + 1.0; /* a walk may have begun at tick 0 */
+    return g->cfg.n_sigmas * sqrt(young_variance * R + ticks * Q) + g->cfg.start_rad +
+           ticks * g->cfg.drift_rad + g->cfg.quantum_rad + rounding_rad;
 }
 
 static exk_sample_kind reject(exk_guard *g, int axis, exk_sample_kind kind, double value,
@@ -230,14 +250,16 @@ static exk_sample_kind judge_stuck(exk_guard *g, const double m_rad[EXK_N_AXES])
 
 static exk_sample_kind judge_spike(exk_guard *g, int64_t k, const double m_rad[EXK_N_AXES])
 {
-    if (g->n_row_good == 0 || !isfinite(g->cfg.n_sigmas)) {
+    if (!isfinite(g->cfg.n_sigmas)) {
         return EXK_SAMPLE_GOOD;
     }
-    const int64_t n = k - g->k_good;
-    const double limit_rad = spike_limit(g, n > 1 ? n : 1);
     for (int i = 0; i < EXK_N_AXES; i++) {
         const exk_guard_axis *axis = &g->axis[i];
+        if (axis->n_news == 0 && !g->starts) {
+            continue;
+        }
         const double off_rad = m_rad[i] - axis->expected_rad - axis->offset_rad;
+        const double limit_rad = axis->n_news > 0 ? spike_limit(g, axis, k) : start_limit(g);
         if (!(fabs(off_rad) <= limit_rad)) {
             return reject(g, i, EXK_SAMPLE_SPIKE, off_rad, limit_rad);
         }
@@ -246,17 +268,25 @@ static exk_sample_kind judge_spike(exk_guard *g, int64_t k, const double m_rad[E
 }
 
 /* d^ begins anew after a gap: what happened meanwhile is not known. */
+static void learn_axis(const exk_guard *g, exk_guard_axis *axis, int64_t k, double m_rad)
+{
+    const bool whole = axis->n_news > 0 && k - axis->k_news <= 1;
+    const double mean = whole ? 1.0 / ((double)axis->n_news + 1.0) : 1.0;
+    const double gain = mean > g->gain ? mean : g->gain;
+    if (axis->n_same > 1) {
+        return;
+    }
+    axis->offset_rad += gain * (m_rad - axis->expected_rad - axis->offset_rad);
+    axis->n_news = whole ? axis->n_news + 1 : 1;
+    axis->k_news = k;
+}
+
 static void learn(exk_guard *g, int64_t k, const double m_rad[EXK_N_AXES])
 {
-    const bool whole = g->n_row_good > 0 && k - g->k_good <= 1;
-    const double mean = whole ? 1.0 / ((double)g->n_row_good + 1.0) : 1.0;
-    const double gain = mean > g->gain ? mean : g->gain;
     for (int i = 0; i < EXK_N_AXES; i++) {
-        exk_guard_axis *axis = &g->axis[i];
-        axis->offset_rad += gain * (m_rad[i] - axis->expected_rad - axis->offset_rad);
+        learn_axis(g, &g->axis[i], k, m_rad[i]);
     }
-    g->n_row_good = whole ? g->n_row_good + 1 : 1;
-    g->k_good = k;
+    g->starts = false;
 }
 
 exk_sample_kind exk_guard_check(exk_guard *g, int64_t k, const double r_rad[EXK_N_AXES],

@@ -121,7 +121,7 @@ static void forget_fault(exk_loop *loop)
     loop->fault = EXK_OK;
     loop->report = (exk_fault_report){.k = -1, .hole_id = -1};
     loop->n_bad_row = 0;
-    exk_guard_reset(&loop->guard);
+    exk_guard_forget(&loop->guard);
     if (loop->cfg.capture != NULL) {
         exk_capture_reset(loop->cfg.capture);
     }

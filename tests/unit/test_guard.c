@@ -103,7 +103,9 @@ static void a_spike_is_beyond_the_limit_of_the_header(void)
     TEST_ASSERT_EQUAL_DOUBLE(0.1, guard.gain);
     TEST_ASSERT_DOUBLE_WITHIN(1e-12, 6.0 * sqrt(1e-8 / 0.95) + 1e-9, guard.limit_rad);
     for (int64_t k = 0; k < 30; k++) {
-        TEST_ASSERT_EQUAL(EXK_SAMPLE_GOOD, judge(k, 0.0, reading(1e-2, -1e-2)));
+        TEST_ASSERT_EQUAL(EXK_SAMPLE_GOOD, judge(k, 0.0,
+                                                 reading(1e-2 + 1e-12 * (double)(k % 2),
+                                                         -1e-2 - 1e-12 * (double)(k % 2))));
     }
     const double in = 0.999 * guard.limit_rad;
     const double out = 1.001 * guard.limit_rad;
@@ -136,7 +138,7 @@ static void the_limit_grows_while_nothing_is_known(void)
     start();
     TEST_ASSERT_EQUAL_DOUBLE(1.0, guard.gain);
     for (int64_t k = 0; k < 20; k++) {
-        judge(k, 0.0, reading(0.0, 0.0));
+        judge(k, 0.0, reading(1e-12 * (double)(k % 2), 1e-12 * (double)(k % 2)));
     }
     const double n = 9.0;
     const double grown = 6.0 * sqrt(1e-8 * n) + n * 1e-5;
