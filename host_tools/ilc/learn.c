@@ -63,6 +63,14 @@ static int refuse_log(const ilc_options *options, const exk_run_log *log)
                 options->input, log->n_lost);
         return ILC_INPUT;
     }
+    if (log->has_status && log->status.loop.n_held > 0) {
+        fprintf(stderr,
+                "exk-ilc: %s: the run was held for %" PRId64
+                " ticks: its samples do not stand where the plan has them; nothing is "
+                "learned\n",
+                options->input, log->status.loop.n_held);
+        return ILC_INPUT;
+    }
     if (n_bad > 0 && !options->allow_bad) {
         fprintf(stderr,
                 "exk-ilc: %s: %zu rejected sensor samples: nothing is learned; --allow-bad "

@@ -2,8 +2,10 @@
  *
  *  Grid     tick k is due at t0 + k*period_ns on CLOCK_MONOTONIC, integers only: never drifts.
  *  Wait     clock_nanosleep to the absolute time, then an optional spin of the last part.
- *  Missed   a tick whose whole period has passed is skipped: next tick = the first not yet past;
- *           no burst to catch up.
+ *  Missed   a tick whose whole period has passed is skipped, also when that was overslept: next tick = the
+ *           first not yet past. So at most one tick is run in a period: no burst to catch up.
+ *  Stands   a clock that does not reach the tick although EXK_PACER_TRIES sleeps came back, or that spins
+ *           without moving, stands: the tick is handed out, marked so, and is not to be acted on.
  *  Clock    injected (exk_clock), so that the policy is tested without wall time.
  *  Figures  fixed bins, four a factor of two from 64 ns up, relaxed atomics: one writer, any reader.
  *  Memory   plain structs, no allocation.
@@ -16,6 +18,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+
+enum { EXK_PACER_TRIES = 20 };
 
 typedef struct {
     int64_t (*now_ns)(void *ctx);
@@ -37,6 +41,7 @@ typedef struct {
     int64_t n_missed;     /* ticks skipped in all */
     int64_t n_missed_row; /* ticks skipped just before this one */
     int64_t lateness_ns;  /* of the last tick */
+    bool stands;          /* the clock did not get there */
 } exk_pacer;
 
 void exk_pacer_start(exk_pacer *pacer, exk_clock clock, int64_t period_ns, int64_t spin_ns);

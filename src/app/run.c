@@ -8,6 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "capture_file.h"
 #include "exk/event_file.h"
 #include "exk/input.h"
 #include "exk/realtime.h"
@@ -271,6 +272,10 @@ static int open_all(const loop_options *options, loop_ticks *r, exk_run_info *in
     if (code == 0 && !open_link(options, r, info)) {
         code = EXIT_IO;
     }
+    if (code == 0 && info->record_path != NULL && !exk_rig_capture(r->rig, loop_capture_s)) {
+        complain("out of memory for the samples before a fault");
+        code = EXIT_IO;
+    }
     if (code == 0 && !set_up_loop(r, info, store)) {
         code = EXIT_INPUT;
     }
@@ -283,7 +288,7 @@ static int open_all(const loop_options *options, loop_ticks *r, exk_run_info *in
     return code;
 }
 
-static int run_ticks(const loop_options *options, loop_ticks *r)
+static int run_ticks(const loop_options *options, loop_ticks *r, const exk_run_info *info)
 {
     if (!options->fast) {
         ask_rights(options, r);
@@ -292,7 +297,10 @@ static int run_ticks(const loop_options *options, loop_ticks *r)
     r->progress.n_holes = (int32_t)r->rig->n_holes;
     loop_progress_start(&r->progress, !options->quiet);
     loop_ticks_run(r);
-    const int code = finish(options, r);
+    int code = finish(options, r);
+    if (!loop_capture_write(r, info)) {
+        code = EXIT_IO;
+    }
     close_bus(r);
     return code;
 }
@@ -310,5 +318,5 @@ int loop_run(const loop_options *options, exk_rig *rig, const exk_store *store)
     describe(options, &r, which, &info);
     catch_signals();
     const int code = open_all(options, &r, &info, store);
-    return code != 0 ? code : run_ticks(options, &r);
+    return code != 0 ? code : run_ticks(options, &r, &info);
 }

@@ -107,7 +107,7 @@ static void take_commands(loop_ticks *t, int64_t k)
 static void check_deadlines(loop_ticks *t, int64_t k)
 {
     const int n_max = t->rig->profile.timing.n_missed_max;
-    if (t->pacer.n_missed_row >= n_max) {
+    if (t->pacer.n_missed_row >= n_max || t->pacer.stands) {
         const exk_sample *last = &t->rig->loop.last;
         const exk_violation what = {EXK_QUANTITY_DEADLINES, -1, (double)t->pacer.n_missed_row,
                                     (double)n_max};
@@ -202,7 +202,10 @@ void loop_ticks_run(loop_ticks *t)
         run_fast(t);
         return;
     }
-    exk_pacer_start(&t->pacer, exk_clock_monotonic(), llround(1e9 / timing->rate_Hz),
+    if (t->clock.now_ns == NULL) {
+        t->clock = exk_clock_monotonic();
+    }
+    exk_pacer_start(&t->pacer, t->clock, llround(1e9 / timing->rate_Hz),
                     llround(timing->spin_s * 1e9));
     if (t->link != NULL) {
         run_linked(t);

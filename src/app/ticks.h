@@ -22,6 +22,7 @@ typedef struct {
     exk_link *link;   /* NULL: the machine is in the process, or a log */
     exk_inbox *inbox; /* NULL: no commands */
     const volatile sig_atomic_t *stop_signal;
+    exk_clock clock; /* of the ticks; none given: CLOCK_MONOTONIC */
     exk_pacer pacer;
     exk_histogram lateness;
     exk_histogram step_time;

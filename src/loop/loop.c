@@ -122,9 +122,6 @@ static void forget_fault(exk_loop *loop)
     loop->report = (exk_fault_report){.k = -1, .hole_id = -1};
     loop->n_bad_row = 0;
     exk_guard_forget(&loop->guard);
-    if (loop->cfg.capture != NULL) {
-        exk_capture_reset(loop->cfg.capture);
-    }
 }
 
 bool exk_loop_request(exk_loop *loop, exk_cause cause, int64_t k)
@@ -168,6 +165,9 @@ static exk_err hold(exk_loop *loop, int64_t k, exk_sample *out)
 {
     loop->motion.k = k;
     exk_limits_stand(&loop->limits, k);
+    if (loop->fault != EXK_OK && loop->cfg.capture != NULL) {
+        exk_capture_freeze(loop->cfg.capture);
+    }
     *out = loop->last;
     out->k = k;
     out->time_us = exk_step_time_us(loop, k);

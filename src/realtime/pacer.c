@@ -5,6 +5,7 @@
 #include <time.h>
 
 static const int64_t ns_per_s = 1000000000;
+static const long still_looks = 1000000; /* ms at the least, whatever the clock costs */
 
 static int64_t monotonic_now(void *ctx)
 {
@@ -46,28 +47,50 @@ static int64_t choose(const exk_pacer *pacer, int64_t now_ns)
     return since_ns / pacer->period_ns + 1;
 }
 
-static int64_t wait_until(const exk_pacer *pacer, int64_t due_ns, int64_t now_ns)
+static int64_t sleep_until(const exk_pacer *pacer, int64_t t_ns, int64_t now_ns)
 {
     const exk_clock *clock = &pacer->clock;
-    if (now_ns < due_ns - pacer->spin_ns) {
-        clock->sleep_until_ns(clock->ctx, due_ns - pacer->spin_ns);
-        now_ns = clock->now_ns(clock->ctx);
-    }
-    while (pacer->spin_ns > 0 && now_ns < due_ns) {
+    for (int i = 0; i < EXK_PACER_TRIES && now_ns < t_ns; i++) {
+        clock->sleep_until_ns(clock->ctx, t_ns);
         now_ns = clock->now_ns(clock->ctx);
     }
     return now_ns;
 }
 
+/* Looks at the clock until the time has come, or until it has not moved for many looks. */
+static int64_t spin_until(const exk_pacer *pacer, int64_t t_ns, int64_t now_ns)
+{
+    const exk_clock *clock = &pacer->clock;
+    int64_t last_ns = now_ns;
+    for (long same = 0; now_ns < t_ns && same < still_looks; same++) {
+        now_ns = clock->now_ns(clock->ctx);
+        same = now_ns > last_ns ? 0 : same;
+        last_ns = now_ns;
+    }
+    return now_ns;
+}
+
+static int64_t wait_until(const exk_pacer *pacer, int64_t due_ns, int64_t now_ns)
+{
+    const int64_t woken_ns = sleep_until(pacer, due_ns - pacer->spin_ns, now_ns);
+    const bool there = woken_ns >= due_ns - pacer->spin_ns;
+    return there && pacer->spin_ns > 0 ? spin_until(pacer, due_ns, woken_ns) : woken_ns;
+}
+
+/* The first tick that is reached within its own period: one that was overslept is missed too. */
 int64_t exk_pacer_next(exk_pacer *pacer)
 {
-    const int64_t now_ns = pacer->clock.now_ns(pacer->clock.ctx);
-    const int64_t k = choose(pacer, now_ns);
-    const int64_t missed = k - (pacer->k + 1);
-    const int64_t due_ns = pacer->t0_ns + k * pacer->period_ns;
+    const int64_t before = pacer->k;
+    int64_t now_ns = pacer->clock.now_ns(pacer->clock.ctx);
+    do {
+        pacer->k = choose(pacer, now_ns);
+        const int64_t due_ns = pacer->t0_ns + pacer->k * pacer->period_ns;
+        now_ns = wait_until(pacer, due_ns, now_ns);
+        pacer->lateness_ns = now_ns - due_ns;
+    } while (pacer->lateness_ns >= pacer->period_ns);
+    const int64_t missed = pacer->k - (before + 1);
     pacer->n_missed += missed;
     pacer->n_missed_row = missed > 0 ? pacer->n_missed_row + missed : 0;
-    pacer->k = k;
-    pacer->lateness_ns = wait_until(pacer, due_ns, now_ns) - due_ns;
-    return k;
+    pacer->stands = pacer->lateness_ns < 0;
+    return pacer->k;
 }

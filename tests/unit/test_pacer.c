@@ -5,6 +5,8 @@
 typedef struct {
     int64_t t_ns;
     int n_sleeps;
+    int64_t overslept_ns; /* added to the next sleep */
+    bool stands;
 } fake_clock;
 
 static int64_t fake_now(void *ctx)
@@ -16,7 +18,11 @@ static void fake_sleep(void *ctx, int64_t t_ns)
 {
     fake_clock *clock = ctx;
     clock->n_sleeps++;
-    clock->t_ns = t_ns;
+    if (clock->stands) {
+        return;
+    }
+    clock->t_ns = t_ns + clock->overslept_ns;
+    clock->overslept_ns = 0;
 }
 
 enum { PERIOD = 1000 };
@@ -85,6 +91,47 @@ static void a_clock_that_stands_still_or_runs_back_only_waits(void)
     TEST_ASSERT_EQUAL_INT64(0, pacer.n_missed);
 }
 
+/* Overslept within the period: run late. Beyond it: missed, and the next one that can be met. */
+static void a_tick_that_was_overslept_is_missed(void)
+{
+    exk_pacer_next(&pacer);
+    wall.overslept_ns = PERIOD - 1;
+    TEST_ASSERT_EQUAL_INT64(1, exk_pacer_next(&pacer));
+    TEST_ASSERT_EQUAL_INT64(PERIOD - 1, pacer.lateness_ns);
+    TEST_ASSERT_EQUAL_INT64(0, pacer.n_missed);
+    wall.overslept_ns = PERIOD;
+    TEST_ASSERT_EQUAL_INT64(3, exk_pacer_next(&pacer));
+    TEST_ASSERT_EQUAL_INT64(0, pacer.lateness_ns);
+    TEST_ASSERT_EQUAL_INT64(1, pacer.n_missed);
+    wall.overslept_ns = 7 * PERIOD + 10;
+    TEST_ASSERT_EQUAL_INT64(12, exk_pacer_next(&pacer));
+    TEST_ASSERT_EQUAL_INT64(1 + 8, pacer.n_missed);
+    TEST_ASSERT_EQUAL_INT64(9, pacer.n_missed_row);
+    TEST_ASSERT_EQUAL_INT64(0, pacer.lateness_ns);
+}
+
+static void a_clock_that_does_not_get_there_is_said_to_stand(void)
+{
+    exk_pacer_next(&pacer);
+    TEST_ASSERT_FALSE(pacer.stands);
+    wall.stands = true;
+    exk_pacer_next(&pacer);
+    TEST_ASSERT_TRUE(pacer.stands);
+    TEST_ASSERT_EQUAL_INT(1 + EXK_PACER_TRIES, wall.n_sleeps);
+    wall.stands = false;
+    exk_pacer_next(&pacer);
+    TEST_ASSERT_FALSE(pacer.stands);
+}
+
+/* Slept to the last part, then a clock that no longer moves: the spin comes back. */
+static void a_spin_on_a_clock_that_stands_ends(void)
+{
+    pacer.spin_ns = 100;
+    exk_pacer_next(&pacer);
+    TEST_ASSERT_TRUE(pacer.stands);
+    TEST_ASSERT_EQUAL_INT64(-100, pacer.lateness_ns);
+}
+
 static void years_of_ticks_do_not_wrap(void)
 {
     const int64_t k = INT64_C(5000000000);
@@ -101,6 +148,9 @@ int main(void)
     RUN_TEST(a_step_that_ends_late_in_the_next_period_runs_that_tick_late);
     RUN_TEST(whole_periods_gone_by_are_skipped_and_counted);
     RUN_TEST(a_clock_that_stands_still_or_runs_back_only_waits);
+    RUN_TEST(a_tick_that_was_overslept_is_missed);
+    RUN_TEST(a_clock_that_does_not_get_there_is_said_to_stand);
+    RUN_TEST(a_spin_on_a_clock_that_stands_ends);
     RUN_TEST(years_of_ticks_do_not_wrap);
     return UNITY_END();
 }
