@@ -272,7 +272,9 @@ static void use_the_machine(void)
 {
     const exk_geometry geo = exk_geometry_default();
     const exk_plan_config plan_cfg = plan.cfg;
-    exk_hole high[N_HOLES] = {holes[0], holes[1]};
+    static exk_hole high[N_HOLES]; /* lent: the plan keeps it */
+    high[0] = holes[0];
+    high[1] = holes[1];
     high[0].target_m[2] = 1.45;
     high[1].target_m[2] = 1.45;
     TEST_ASSERT_EQUAL(EXK_OK, exk_kin_init(&kin, EXK_KIN_MACHINE, EXK_WRIST_AB, &geo));
