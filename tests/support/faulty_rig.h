@@ -42,7 +42,7 @@ static inline void faulty_set_loop(faulty_rig *rig)
     exk_guard_expect(&rig->twin_cfg, (double)rig->plan.n_ticks * rig->plan.cfg.dt_s,
                      &rig->cfg.guard);
     rig->cfg.limits.angle_max_rad = geo.angle_max_rad;
-    rig->cfg.limits.correction_max_rad = 0.002;
+    rig->cfg.limits.correction_max_rad = 0.005;
     rig->cfg.limits.rate_max_radps = 0.5;
     rig->cfg.limits.leg_speed_max_mps = 0.3;
     rig->cfg.limits.leg_min_m = geo.l_min_m;
