@@ -26,4 +26,6 @@ if(EXK_WITH_LCM)
                 $<TARGET_FILE:exk_relay> $<TARGET_FILE:exk_last_status>
                 $<TARGET_FILE:exk_hostile>)
     endforeach()
+    # Paced runs against a wall clock of their own: nothing else beside them.
+    set_tests_properties(test_two_paced test_two_alone test_hostile_bus PROPERTIES RUN_SERIAL ON)
 endif()
