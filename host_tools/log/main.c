@@ -140,6 +140,7 @@ static int say(const log_options *opt, const log_report *report)
 static int verdict(const log_options *opt, const log_report *report)
 {
     const record_result *result = report->result;
+    /* NOLINTNEXTLINE(clang-analyzer-core.NullDereference): set before any verdict */
     if (opt->until_done && result->end != RECORD_DONE) {
         static const char *const reasons[] = {[RECORD_STOPPED] = "stopped by a signal",
                                               [RECORD_TIME] = "the time was over",

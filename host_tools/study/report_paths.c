@@ -67,6 +67,7 @@ static void draw_path(FILE *script, const void *ctx)
     report_draw_style(script, "x, mm", "y, mm");
     report_draw_plane(script, panel->view);
     for (int i = 0; i < panel->n_traces; i++) {
+        /* NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): at most TRACES_MAX */
         put_trace(script, &panel->traces[i], names[i]);
     }
     fputs("plot $a using 1:2 with lines lw 4 lc " PATH, script);
@@ -86,6 +87,7 @@ static int open_panel(path_panel *panel, const path_figure *figure, int i, const
     panel->n_traces = of[0] == of[1] ? 1 : 2;
     int code = STUDY_GOOD;
     for (int j = 0; j < panel->n_traces && code == STUDY_GOOD; j++) {
+        /* NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): at most TRACES_MAX */
         code = report_trace_open(&panel->traces[j], folder, of[j], 1, figure->axis[i]);
     }
     return code;

@@ -129,7 +129,7 @@ static void write_digits(long double value, int n, int unit_exponent, bool negat
                          char out[EXK_NUMBER_SIZE])
 {
     char raw[EXK_NUMBER_SIZE];
-    char digits[EXK_NUMBER_SIZE];
+    char digits[EXK_NUMBER_SIZE] = "";
     snprintf(raw, sizeof(raw), "%.*Le", n - 1, value);
     const char *mark = strchr(raw, 'e');
     int kept = 0;

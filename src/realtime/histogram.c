@@ -19,6 +19,7 @@ static int bin_of(int64_t value_ns)
         return 0;
     }
     const int octave = log2_floor((uint64_t)value_ns);
+    /* NOLINTNEXTLINE(clang-analyzer-core.BitwiseShift): octave >= FIRST_LOG2 */
     const int quarter = (int)(((uint64_t)value_ns >> (octave - 2)) & 3U);
     const int bin = 1 + PER_OCTAVE * (octave - FIRST_LOG2) + quarter;
     return bin < EXK_HIST_BINS ? bin : EXK_HIST_BINS - 1;
