@@ -112,7 +112,7 @@ static void go_on(exk_motion *m, const exk_plan *plan)
 static void choose(exk_motion *m, const exk_plan *plan, int64_t k, const exk_motion_wish *wish)
 {
     const bool rests = m->mode == EXK_MOTION_REST;
-    if (m->mode == EXK_MOTION_FOLLOW && !wish->go) {
+    if (m->mode == EXK_MOTION_FOLLOW) { /* and not to go on, else nobody asks */
         enter_ramp(m, plan, EXK_MOTION_SLOW);
     } else if (wish->go && (rests || m->mode == EXK_MOTION_OUT)) {
         go_on(m, plan);
@@ -124,15 +124,13 @@ static void choose(exk_motion *m, const exk_plan *plan, int64_t k, const exk_mot
 static void advance(exk_motion *m, int64_t k)
 {
     switch (m->mode) {
-    case EXK_MOTION_FOLLOW:
-        m->j += k - m->k;
-        break;
     case EXK_MOTION_SLOW:
         slow(m, k);
         break;
     case EXK_MOTION_SPEED:
         speed_up(m, k);
         break;
+    case EXK_MOTION_FOLLOW:
     case EXK_MOTION_REST:
     case EXK_MOTION_RETRACT:
     case EXK_MOTION_OUT:

@@ -78,7 +78,8 @@ static double constant(const exk_disturbance_config *cfg, double t)
 static void evaluate(exk_disturbance *d)
 {
     const double t = (double)d->k * d->dt_s;
-    const bool white = d->cfg.wave == EXK_WAVE_GAUSSIAN && d->cfg.order == 0;
+    const bool white =
+        d->cfg.wave == EXK_WAVE_GAUSSIAN; /* of order 0: the others have a history */
     double w = 0.0;
     if (d->cfg.wave == EXK_WAVE_CONSTANT) {
         w = constant(&d->cfg, t);

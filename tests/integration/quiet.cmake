@@ -1,5 +1,5 @@
 # The loop thread while it runs: no heap, no system call but the sleep.
-if(EXK_WITH_LCM AND NOT EXK_SANITIZE)
+if(EXK_WITH_LCM AND NOT EXK_INSTRUMENTED)
     set(dir ${CMAKE_CURRENT_LIST_DIR}/quiet)
     add_library(exk_heap_count SHARED ${dir}/heap_count.c)
     target_link_libraries(exk_heap_count PRIVATE ${CMAKE_DL_LIBS})

@@ -15,7 +15,7 @@ if(EXK_WITH_LCM)
     add_executable(exk_hostile ${CMAKE_CURRENT_LIST_DIR}/hostile/hostile.c)
     target_link_libraries(exk_hostile PRIVATE exk::command exk::realtime exk_warnings)
     set(names bus logger)
-    if(NOT EXK_SANITIZE) # a sanitizer makes system calls of its own
+    if(NOT EXK_INSTRUMENTED) # a sanitizer makes system calls of its own
         list(APPEND names quiet_flood)
     endif()
     foreach(name ${names})

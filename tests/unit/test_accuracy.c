@@ -53,6 +53,8 @@ static void init_refuses(void)
     TEST_ASSERT_EQUAL(EXK_ERR_ARG, exk_judge_init(&judge, NULL, 3, 1e-3, results));
     TEST_ASSERT_EQUAL(EXK_ERR_ARG, exk_judge_init(&judge, holes, 3, 1e-3, NULL));
     TEST_ASSERT_EQUAL(EXK_ERR_SIZE, exk_judge_init(&judge, holes, 0, 1e-3, results));
+    TEST_ASSERT_EQUAL(EXK_ERR_SIZE,
+                      exk_judge_init(&judge, holes, (size_t)INT32_MAX + 1, 1e-3, results));
     holes[2].target_m[1] = NAN;
     TEST_ASSERT_EQUAL(EXK_ERR_ARG, exk_judge_init(&judge, holes, 3, 1e-3, results));
     holes[2].target_m[1] = 0.2;
@@ -256,10 +258,20 @@ static void tilt_is_the_angle_between_tool_and_hole(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-15, 0.01, results[0].tilt_rad);
 }
 
+static void a_run_of_no_sample_has_no_errors(void)
+{
+    exk_accuracy out;
+    TEST_ASSERT_EQUAL(EXK_OK, exk_judge_init(&judge, holes, 1, 1e-3, results));
+    exk_judge_summary(&judge, &out);
+    TEST_ASSERT_EQUAL_INT(0, out.n_drilled);
+    TEST_ASSERT_EQUAL_DOUBLE(0.0, out.rms_path_m);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(init_refuses);
+    RUN_TEST(a_run_of_no_sample_has_no_errors);
     RUN_TEST(the_last_sample_of_the_dwell_counts);
     RUN_TEST(a_missed_stroke_closes_with_the_next_dwell);
     RUN_TEST(a_decimated_run_is_judged_on_the_last_one_kept);

@@ -217,6 +217,88 @@ static void a_loan_ends(void)
     TEST_ASSERT_EQUAL_DOUBLE(0.0, drawn.true_rad[EXK_ALPHA]);
 }
 
+/* Going on after a hold is not plain: first the ramp, then the plan is behind the ticks. */
+static void a_loop_that_is_behind_or_watched_is_not_plain(void)
+{
+    exk_brief brief;
+    exk_sample sample;
+    static exk_sample kept[4];
+    static exk_capture capture;
+    set_up(&rows[0]);
+    start(false);
+    int64_t k = 0;
+    for (; k < 200; k++) {
+        if (k == 100 || k == 150) {
+            exk_loop_request(&loop, k == 100 ? EXK_CAUSE_STOP : EXK_CAUSE_START, k);
+        }
+        TEST_ASSERT_EQUAL(EXK_OK, exk_loop_step(&loop, k, &sample));
+        if (k >= 99) {
+            exk_loop copy = loop;
+            TEST_ASSERT_EQUAL(k == 99 ? EXK_OK : EXK_ERR_ARG,
+                              exk_loop_brief(&copy, k + 1, &way[k + 1], &brief));
+        }
+    }
+    TEST_ASSERT_EQUAL(EXK_MOTION_FOLLOW, loop.motion.mode);
+    TEST_ASSERT_EQUAL(EXK_OK, exk_capture_init(&capture, kept, 4));
+    cfg.capture = &capture;
+    start(false);
+    TEST_ASSERT_EQUAL(EXK_ERR_ARG, exk_loop_brief(&loop, 0, &way[0], &brief));
+}
+
+static void legs_and_following_are_asked_too(void)
+{
+    exk_brief brief;
+    const row *machine = &rows[6];
+    set_up(machine);
+    u_rad[EXK_ALPHA][1] = 0.8; /* within the sensor's range, beyond the joint's */
+    cfg.angle_max_rad = 1.0;
+    start(false);
+    TEST_ASSERT_EQUAL(EXK_OK, exk_loop_brief(&loop, 0, &way[0], &brief));
+    TEST_ASSERT_EQUAL(EXK_ERR_LIMIT, exk_loop_brief(&loop, 1, &way[1], &brief));
+    set_up(&rows[0]);
+    cfg.limits.following_rad = 1e-3;
+    start(true);
+    n_rad[EXK_ALPHA][1] = 2e-3;
+    TEST_ASSERT_EQUAL(EXK_OK, exk_loop_brief(&loop, 0, &way[0], &brief));
+    TEST_ASSERT_EQUAL(EXK_ERR_LIMIT, exk_loop_brief(&loop, 1, &way[1], &brief));
+}
+
+static exk_err hidden(void *ctx, int64_t k, const exk_drive *drive, exk_reading *out)
+{
+    const exk_source source = exk_twin_source(ctx);
+    const exk_err err = source.exchange(source.ctx, k, drive, out);
+    out->has_true = false;
+    return err;
+}
+
+static void a_machine_that_hides_its_truth_is_judged_by_what_it_measures(void)
+{
+    exk_brief brief;
+    exk_sample sample;
+    set_up(&rows[4]);
+    cfg.source = (exk_source){hidden, &twin};
+    start(false);
+    TEST_ASSERT_EQUAL(EXK_OK, exk_loop_step(&loop, 0, &sample));
+    TEST_ASSERT_FALSE(sample.has_true);
+    start(false);
+    TEST_ASSERT_EQUAL(EXK_OK, exk_loop_brief(&loop, 0, &way[0], &brief));
+    TEST_ASSERT_TRUE(same(&sample.est, &brief.tool, sizeof brief.tool));
+}
+
+static void a_plan_out_of_reach_has_no_waypoints(void)
+{
+    exk_hole far[] = {upright[0], upright[1]};
+    exk_plan_config plan_cfg = exk_plan_default();
+    static exk_waypoint some[TICKS_MAX];
+    far[0].target_m[0] = 50.0;
+    far[1].target_m[0] = 50.0;
+    plan_cfg.dt_s = 0.01;
+    set_up(&rows[0]);
+    TEST_ASSERT_EQUAL(EXK_OK, exk_plan_init(&plan, &plan_cfg, far, 2, segments, SEGMENTS));
+    TEST_ASSERT_TRUE(plan.n_ticks <= TICKS_MAX);
+    TEST_ASSERT_EQUAL(EXK_ERR_UNREACHABLE, exk_waypoints(&plan, &kin, some));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -225,5 +307,9 @@ int main(void)
     RUN_TEST(whatever_is_not_in_order_ends_it);
     RUN_TEST(noise_of_several_sources_is_not_lent);
     RUN_TEST(a_loan_ends);
+    RUN_TEST(a_loop_that_is_behind_or_watched_is_not_plain);
+    RUN_TEST(legs_and_following_are_asked_too);
+    RUN_TEST(a_machine_that_hides_its_truth_is_judged_by_what_it_measures);
+    RUN_TEST(a_plan_out_of_reach_has_no_waypoints);
     return UNITY_END();
 }

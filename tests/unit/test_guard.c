@@ -261,10 +261,12 @@ static void reset_forgets_the_machine_and_keeps_the_counts(void)
 static void configurations_are_refused_by_the_table(void)
 {
     enum { ZERO = 1, INF = 2, BELOW = 4, NOT_A_NUMBER = 8 };
-    double *const numbers[] = {
-        &cfg.dt_s,      &cfg.angle_max_rad, &cfg.servo_tau_s, &cfg.white_rad, &cfg.walk_rad,
-        &cfg.drift_rad, &cfg.noise_rad,     &cfg.quantum_rad, &cfg.stuck_s,   &cfg.n_sigmas};
-    static const int allowed[] = {0, 0, ZERO, ZERO, ZERO, ZERO, ZERO, ZERO, ZERO, INF};
+    double *const numbers[] = {&cfg.dt_s,      &cfg.angle_max_rad, &cfg.servo_tau_s,
+                               &cfg.white_rad, &cfg.walk_rad,      &cfg.drift_rad,
+                               &cfg.noise_rad, &cfg.quantum_rad,   &cfg.stuck_s,
+                               &cfg.n_sigmas,  &cfg.start_rad};
+    static const int allowed[] = {0,    0,    ZERO, ZERO, ZERO,      ZERO,
+                                  ZERO, ZERO, ZERO, INF,  ZERO | INF};
     static const struct {
         double value;
         int needs;
@@ -289,6 +291,7 @@ static void what_is_expected_follows_from_the_twin(void)
         double freq_Hz, white, walk, drift;
     } rows[] = {
         {EXK_WAVE_NONE, 0, 0.0, 0.0, 0.0, 0.0},
+        {EXK_WAVE_COUNT, 0, 0.0, 0.0, 0.0, 0.0}, /* no twin takes it */
         {EXK_WAVE_CONSTANT, 0, 0.0, 0.0, 0.0, 0.0},
         {EXK_WAVE_CONSTANT, 1, 0.0, 0.0, 0.0, 2e-3},
         {EXK_WAVE_CONSTANT, 2, 0.0, 0.0, 0.0, 8e-3},

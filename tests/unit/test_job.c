@@ -129,6 +129,22 @@ static void an_array_too_short_is_refused(void)
     TEST_ASSERT_EQUAL(EXK_OK, exk_job_grid(&pattern, holes, 25, &n_holes));
 }
 
+static void a_pattern_without_an_end_is_refused(void)
+{
+    exk_hole some[8] = {{1, {0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}}};
+    size_t n = 0;
+    for (int i = 0; i < 4; i++) {
+        exk_pattern pattern = {0.3, 0.2, {0.0, 0.0, 0.95}, 1, 1};
+        pattern.width_m = i == 0 ? (double)INFINITY : pattern.width_m;
+        pattern.height_m = i == 1 ? (double)INFINITY : pattern.height_m;
+        pattern.height_m = i == 2 ? 0.0 : pattern.height_m;
+        pattern.center_m[1] = i == 3 ? (double)NAN : 0.0;
+        TEST_ASSERT_EQUAL(EXK_ERR_ARG, exk_job_rectangle(&pattern, some, 8, &n));
+    }
+    TEST_ASSERT_EQUAL(EXK_ERR_ARG, exk_job_serpentine(some, 1, (double)INFINITY));
+    TEST_ASSERT_EQUAL(EXK_ERR_ARG, exk_job_serpentine(some, 1, (double)NAN));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -140,5 +156,6 @@ int main(void)
     RUN_TEST(holes_at_one_place_go_by_id);
     RUN_TEST(a_size_that_is_no_size_is_refused);
     RUN_TEST(an_array_too_short_is_refused);
+    RUN_TEST(a_pattern_without_an_end_is_refused);
     return UNITY_END();
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "exk/loop_report.h"
 #include "unity.h"
 
 enum { N_HOLES = 2, SEGMENTS = 5 * N_HOLES, N_CAPTURE = 8 };
@@ -451,6 +452,44 @@ static void configurations_of_guard_and_limits_are_refused(void)
     TEST_ASSERT_EQUAL(EXK_ERR_ARG, exk_loop_init(&loop, &cfg));
 }
 
+/* The tip of what is measured is worked out where either angle differs from the truth. */
+static void one_angle_off_is_off(void)
+{
+    exk_drive drive;
+    for (int axis = 0; axis < EXK_N_AXES; axis++) {
+        exk_reading r = {.fresh = true, .has_true = true};
+        restart();
+        TEST_ASSERT_EQUAL(EXK_OK, exk_loop_command(&loop, 0, &drive));
+        for (int i = 0; i < EXK_N_AXES; i++) {
+            r.true_rad[i] = drive.angle_rad[i];
+            r.measured_rad[i] = drive.angle_rad[i] + (i == axis ? 1e-3 : 0.0);
+        }
+        TEST_ASSERT_EQUAL(EXK_OK, exk_loop_measure(&loop, &r, &sample));
+        TEST_ASSERT_TRUE(sample.est.tip_m[axis] != sample.real.tip_m[axis]);
+        TEST_ASSERT_TRUE(sample.est.tip_m[1 - axis] == sample.real.tip_m[1 - axis]);
+    }
+}
+
+static void reports_tell_what_the_loop_holds(void)
+{
+    exk_loop_report report;
+    exk_transition note[EXK_STATE_NOTES];
+    step_to(30);
+    fake.bad = true;
+    while (step() == EXK_OK) {
+    }
+    exk_loop_tell(&loop, &report);
+    TEST_ASSERT_EQUAL(EXK_CAUSE_SENSOR, report.cause);
+    TEST_ASSERT_EQUAL_INT64(loop.report.k, report.k_cause);
+    TEST_ASSERT_EQUAL_INT64(3, report.n_rejected[EXK_SAMPLE_NAN]);
+    TEST_ASSERT_EQUAL_INT64(31, report.n_rejected[EXK_SAMPLE_GOOD]);
+    TEST_ASSERT_EQUAL_INT64(3, report.n_transitions); /* ready, start, sensor */
+    TEST_ASSERT_EQUAL(EXK_ERR_SENSOR, report.fault.err);
+    TEST_ASSERT_EQUAL_INT(3, exk_loop_take_notes(&loop, note));
+    TEST_ASSERT_EQUAL(EXK_STATE_FAULT, note[2].to);
+    TEST_ASSERT_EQUAL_INT(0, exk_loop_take_notes(&loop, note));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -474,5 +513,7 @@ int main(void)
     RUN_TEST(the_ring_is_frozen_by_a_fault);
     RUN_TEST(a_fault_from_outside_is_refused_when_done);
     RUN_TEST(configurations_of_guard_and_limits_are_refused);
+    RUN_TEST(one_angle_off_is_off);
+    RUN_TEST(reports_tell_what_the_loop_holds);
     return UNITY_END();
 }

@@ -355,6 +355,33 @@ static void modes_have_names(void)
     TEST_ASSERT_EQUAL_STRING("unknown", exk_motion_name(EXK_MOTION_COUNT));
 }
 
+/* Held on the judged tick it is not judged again; reached while going on it is. */
+static void a_judged_sample_counts_when_it_is_reached(void)
+{
+    const exk_segment *dwell = segment_of(1, EXK_PHASE_DWELL);
+    const int64_t judged = dwell->k_begin + dwell->n_ticks - 1;
+    follow_to(judged);
+    TEST_ASSERT_TRUE(ref.judged);
+    place(motion.k + 1, &rest);
+    TEST_ASSERT_FALSE(ref.judged);
+    TEST_ASSERT_EQUAL_INT64(judged, motion.j);
+    setUp();
+    follow_to(judged - 1);
+    until(&rest, EXK_MOTION_REST);
+    TEST_ASSERT_EQUAL_INT64(judged - 1, motion.j);
+    place(motion.k + 1, &go);
+    TEST_ASSERT_EQUAL_INT64(judged, motion.j);
+    TEST_ASSERT_TRUE(ref.judged);
+}
+
+static void settling_waits_for_the_end_of_a_ramp(void)
+{
+    follow_to(middle_of(1, EXK_PHASE_TRAVEL));
+    place(motion.k + 1, &rest);
+    exk_motion_settle(&motion, &plan);
+    TEST_ASSERT_EQUAL(EXK_MOTION_SLOW, motion.mode);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -372,5 +399,7 @@ int main(void)
     RUN_TEST(settling_freezes_where_there_is_no_way_to_go);
     RUN_TEST(a_way_back_too_long_is_not_gone);
     RUN_TEST(modes_have_names);
+    RUN_TEST(a_judged_sample_counts_when_it_is_reached);
+    RUN_TEST(settling_waits_for_the_end_of_a_ramp);
     return UNITY_END();
 }

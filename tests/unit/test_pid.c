@@ -237,6 +237,19 @@ static void preset_with_bad_numbers_changes_nothing(void)
     }
 }
 
+/* D alone, kd/dt = 0.4: it sees the step from the error that was rejoined, not from the one before. */
+static void after_a_gap_the_derivative_sees_no_jump(void)
+{
+    const exk_pid_config cfg = {.kd = 0.4, .c_max_rad = 10.0, .dt_s = 1.0};
+    exk_pid pid;
+    TEST_ASSERT_EQUAL(EXK_OK, exk_pid_init(&pid, &cfg));
+    TEST_ASSERT_EQUAL_DOUBLE(0.0, exk_pid_step(&pid, 1.0));
+    exk_pid_rejoin(&pid, 3.0);
+    exk_pid_rejoin(&pid, (double)NAN);
+    exk_pid_rejoin(&pid, (double)INFINITY);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-15, 0.4, exk_pid_step(&pid, 4.0));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -251,5 +264,6 @@ int main(void)
     RUN_TEST(reset_clears_the_state_and_keeps_the_configuration);
     RUN_TEST(preset_is_bumpless);
     RUN_TEST(preset_with_bad_numbers_changes_nothing);
+    RUN_TEST(after_a_gap_the_derivative_sees_no_jump);
     return UNITY_END();
 }

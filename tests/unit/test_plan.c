@@ -373,6 +373,74 @@ static void every_phase_has_a_name(void)
     TEST_ASSERT_EQUAL_STRING("unknown", exk_phase_name(EXK_PHASE_COUNT));
 }
 
+static void more_holes_than_can_be_counted_are_refused(void)
+{
+    const exk_plan_config cfg = exk_plan_default();
+    TEST_ASSERT_EQUAL(EXK_ERR_SIZE, exk_plan_init(&plan, &cfg, holes, (size_t)INT32_MAX + 1,
+                                                  segments, SIZE_MAX));
+}
+
+/* So fast that the time of it is below the least number: the dwells follow each other. */
+static void a_move_of_no_time_takes_no_tick(void)
+{
+    exk_plan_config cfg = exk_plan_default();
+    cfg.accel_mps2 = (double)INFINITY;
+    cfg.feed_mps = 1e300;
+    cfg.dt_s = 1e20;
+    cfg.closed = false;
+    holes[0] = (exk_hole){1, {0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}};
+    holes[1] = (exk_hole){2, {1e-10, 0.0, 1.0}, {0.0, 0.0, 1.0}};
+    build(&cfg, 2);
+    TEST_ASSERT_EQUAL_UINT(2, plan.n_segments);
+    TEST_ASSERT_EQUAL_INT64(2, plan.n_ticks);
+}
+
+/* Axes may be off unit length by 1e-9, so they may differ in z alone. */
+static void a_turn_of_the_last_digit_is_a_turn(void)
+{
+    exk_plan_config cfg = exk_plan_default();
+    cfg.closed = false;
+    holes[0] = (exk_hole){1, {0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}};
+    holes[1] = (exk_hole){2, {0.1, 0.0, 1.0}, {0.0, 0.0, 1.0 - 5e-10}};
+    build(&cfg, 2);
+    TEST_ASSERT_TRUE(segments[1].turns);
+    TEST_ASSERT_TRUE(at(plan.n_ticks - 1).tool.axis[2] == holes[1].axis[2]);
+}
+
+/* From every tick: before the hole that is worked on, after a retract, in place while travelling. */
+static void it_goes_on_where_a_hole_begins(void)
+{
+    const exk_plan_config cfg = full_cycle();
+    build(&cfg, tilted_holes());
+    for (size_t i = 0; i < plan.n_segments; i++) {
+        const exk_segment *s = &segments[i];
+        const int64_t last = s->k_begin + s->n_ticks - 1;
+        const size_t first =
+            i - i % 5; /* approach of its cycle, as of "phases come in order" */
+        for (int64_t k = s->k_begin; k <= last; k += s->n_ticks > 1 ? s->n_ticks - 1 : 1) {
+            const int64_t want = s->phase == EXK_PHASE_TRAVEL    ? k
+                                 : s->phase == EXK_PHASE_RETRACT ? last
+                                                                 : segments[first].k_begin - 1;
+            TEST_ASSERT_EQUAL_INT64(want, exk_plan_resume(&plan, k));
+        }
+    }
+    TEST_ASSERT_EQUAL_INT64(-1, exk_plan_resume(&plan, -5));
+    TEST_ASSERT_EQUAL_INT64(plan.n_ticks + 5, exk_plan_resume(&plan, plan.n_ticks + 5));
+}
+
+/* Without strokes a hole is a dwell, and two dwells may follow each other: each is a hole of its own. */
+static void a_hole_at_the_place_of_another_is_begun_alone(void)
+{
+    exk_plan_config cfg = exk_plan_default();
+    cfg.closed = false;
+    holes[0] = (exk_hole){1, {0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}};
+    holes[1] = (exk_hole){2, {0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}};
+    build(&cfg, 2);
+    TEST_ASSERT_EQUAL_UINT(2, plan.n_segments);
+    TEST_ASSERT_EQUAL_INT64(segments[1].k_begin - 1,
+                            exk_plan_resume(&plan, segments[1].k_begin + 3));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -394,5 +462,10 @@ int main(void)
     RUN_TEST(a_bad_hole_is_refused);
     RUN_TEST(a_lent_array_too_short_is_refused);
     RUN_TEST(every_phase_has_a_name);
+    RUN_TEST(more_holes_than_can_be_counted_are_refused);
+    RUN_TEST(a_move_of_no_time_takes_no_tick);
+    RUN_TEST(a_turn_of_the_last_digit_is_a_turn);
+    RUN_TEST(it_goes_on_where_a_hole_begins);
+    RUN_TEST(a_hole_at_the_place_of_another_is_begun_alone);
     return UNITY_END();
 }

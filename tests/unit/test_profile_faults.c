@@ -16,6 +16,30 @@ typedef struct {
 } row;
 
 static const row rows[] = {
+    {"commands without a key",
+     START "[command]\nallow = yes\n",
+     {{6,
+       "[command]: missing key key_file; allow = yes needs the key that commands are checked "
+       "with (exk-command keygen FILE makes one)"}}},
+    {"waiting for what is not allowed",
+     START "[command]\nwait = yes\n",
+     {{6, "[command] wait: yes would wait for ever: no command is allowed; add allow = yes"}}},
+    {"a text of no letters",
+     START "file =\n",
+     {{5, "[job] file: no value: found \"\", allowed: text"}}},
+    {"a ratio of a length that is refused already, upper",
+     START "[machine]\nd1_mm = x\nd5_mm = 1500\n",
+     {{6, "[machine] d1_mm: not a number: found \"x\", allowed: 1 to 100000 mm"}}},
+    {"a ratio of a length that is refused already, lower",
+     START "[machine]\nd3_mm = x\nd4_mm = 500\n",
+     {{6, "[machine] d3_mm: not a number: found \"x\", allowed: 1 to 100000 mm"}}},
+    {"a key longer than any, with no guess",
+     START "bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb = 3\n",
+     {{5,
+       "[job] bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb: unknown key; allowed: kind, width_mm, "
+       "height_mm, rows, columns, center_x_mm, center_y_mm, plane_z_mm, file, order, "
+       "row_gap_mm, tolerance_mm, closed, feed_mmps, approach_mmps, drill_mmps, retract_mmps, "
+       "acc..."}}},
     {"unknown key",
      START "zebra = 1\n[sensor]\nzebra = 1\n",
      {{5,
@@ -295,6 +319,35 @@ static void a_short_list_keeps_the_first_lines(void)
     TEST_ASSERT_EQUAL_UINT(5, n);
 }
 
+/* The other side of each rule between keys. */
+static void what_belongs_together_is_good(void)
+{
+    static const char *const good[] = {
+        START "[command]\nallow = yes\nwait = yes\nkey_file = k\n",
+        START "[loop]\nsource = replay\nreplay_file = run.lcm\n",
+        START "[fault.1]\nkind = delay\ndelay_s = 0.01\n",
+        START "feed_mmps = 1e+2\n",
+    };
+    for (size_t i = 0; i < sizeof good / sizeof good[0]; i++) {
+        size_t n = 0;
+        TEST_ASSERT_EQUAL_MESSAGE(
+            EXK_OK, exk_profile_parse(good[i], &profile, faults, MAX_FAULTS, &n), good[i]);
+    }
+}
+
+/* The highest number counts, in whatever order they stand. */
+static void numbered_sections_may_stand_in_any_order(void)
+{
+    static const char text[] =
+        START "[fault.2]\nkind = nan\n[fault.1]\nkind = inf\n[disturbance.2]\nwave = none\n"
+              "[disturbance.1]\nwave = none\n";
+    size_t n = 0;
+    TEST_ASSERT_EQUAL(EXK_OK, exk_profile_parse(text, &profile, faults, MAX_FAULTS, &n));
+    TEST_ASSERT_EQUAL_UINT(2, profile.inject.n_faults);
+    TEST_ASSERT_EQUAL(EXK_INJECT_INF, profile.inject.fault[0].kind);
+    TEST_ASSERT_EQUAL_UINT(2, profile.twin.n_disturbances);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -302,5 +355,7 @@ int main(void)
     RUN_TEST(a_line_beyond_the_buffer_is_named);
     RUN_TEST(a_refused_text_leaves_the_profile_alone);
     RUN_TEST(a_short_list_keeps_the_first_lines);
+    RUN_TEST(what_belongs_together_is_good);
+    RUN_TEST(numbered_sections_may_stand_in_any_order);
     return UNITY_END();
 }

@@ -297,6 +297,32 @@ static void rician_of_the_published_figures(void)
     TEST_ASSERT_DOUBLE_IS_NAN(exk_rician_of_mean_and_inside(0.023614, 0.03, 0.5).sigma);
 }
 
+static void senseless_figures_give_no_number(void)
+{
+    static const exk_rician bad[] = {
+        {-1.0, 1.0}, {1.0, 0.0}, {(double)NAN, 1.0}, {1.0, (double)NAN}};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        TEST_ASSERT_DOUBLE_IS_NAN(exk_rician_mean(bad[i]));
+        TEST_ASSERT_DOUBLE_IS_NAN(exk_rician_inside(1.0, bad[i]));
+    }
+    TEST_ASSERT_DOUBLE_IS_NAN(exk_rician_mean((exk_rician){30.1, 1.0})); /* beyond 30 sigma */
+    TEST_ASSERT_DOUBLE_IS_NAN(exk_rician_inside(-1.0, (exk_rician){1.0, 1.0}));
+    TEST_ASSERT_DOUBLE_IS_NAN(exk_rician_fit(1.0, -1.0).sigma);
+    TEST_ASSERT_DOUBLE_IS_NAN(exk_rician_fit(1.0, (double)NAN).sigma);
+    TEST_ASSERT_DOUBLE_IS_NAN(exk_rician_of_mean_and_inside(0.0, 1.0, 0.9).sigma);
+    TEST_ASSERT_DOUBLE_IS_NAN(exk_rician_of_mean_and_inside(1.0, 1.0, 0.9).sigma);
+    TEST_ASSERT_DOUBLE_IS_NAN(exk_rician_of_mean_and_inside(1.0, 2.0, 0.1).sigma);
+    TEST_ASSERT_DOUBLE_IS_NAN(exk_rician_of_mean_and_inside(1.0, 1.01, 0.999).sigma);
+    TEST_ASSERT_DOUBLE_IS_NAN(exk_rayleigh_quantile(-0.1, 1.0));
+    TEST_ASSERT_DOUBLE_IS_NAN(exk_rayleigh_quantile(1.0, 1.0));
+    TEST_ASSERT_DOUBLE_IS_NAN(exk_rayleigh_quantile(0.5, -1.0));
+    for (int i = 0; i < 4; i++) {
+        double p[4] = {0.1, 0.2, 0.95, 0.8};
+        p[i] = 1.0;
+        TEST_ASSERT_EQUAL_UINT64(0, exk_two_proportions_size(p[0], p[1], p[2], p[3]));
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -319,5 +345,6 @@ int main(void)
     RUN_TEST(rician_of_much_offset_is_normal);
     RUN_TEST(rician_fit_returns_what_made_the_moments);
     RUN_TEST(rician_of_the_published_figures);
+    RUN_TEST(senseless_figures_give_no_number);
     return UNITY_END();
 }

@@ -155,6 +155,7 @@ static void a_bad_start_gives_the_same_pose(void)
         {1.4, -1.4, 0.1},         {2.0 * EXK_PI, 0.0, 0.95},
         {-3.0, 2.0, 50.0},        {0.0, 0.0, 1e-12},
         {1e6, -1e6, 99.0},        {0.5, -0.6, 0.4},
+        {0.0, 0.0, 101.0},
     };
     const double o1_m[3] = {0.2, -0.15, 0.9};
     exk_tripod_pose want, pose;

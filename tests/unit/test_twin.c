@@ -289,6 +289,20 @@ static void reset_and_the_source_give_the_same_readings(void)
     }
 }
 
+static void a_loan_begins_at_tick_0(void)
+{
+    double n_rad[EXK_N_AXES][3] = {{1.0, 1.0, 1.0}, {1.0, 1.0, 1.0}};
+    double *const lend[EXK_N_AXES] = {n_rad[0], n_rad[1]};
+    exk_twin_config cfg = exk_twin_default();
+    cfg.n_disturbances = 1;
+    cfg.disturbance[0] = exk_disturbance_default();
+    exk_twin twin = start(&cfg);
+    exk_twin_lend(&twin, 3, lend);
+    TEST_ASSERT_TRUE(step(&twin, -1, 0.0, 0.0).true_rad[0] == 0.0);
+    TEST_ASSERT_TRUE(step(&twin, 2, 0.0, 0.0).true_rad[0] == 1.0);
+    TEST_ASSERT_TRUE(step(&twin, 3, 0.0, 0.0).true_rad[0] == 0.0);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -304,5 +318,6 @@ int main(void)
     RUN_TEST(sensor_noise_is_fresh_unless_frozen);
     RUN_TEST(the_encoder_rounds_to_its_quantum);
     RUN_TEST(reset_and_the_source_give_the_same_readings);
+    RUN_TEST(a_loan_begins_at_tick_0);
     return UNITY_END();
 }
