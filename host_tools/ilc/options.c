@@ -26,8 +26,9 @@ static const char doc[] =
     "Gains, filter and limits come from [control] of the profile (learn: of the\n"
     "log).\n"
     "\n"
-    "Exit status: 0 good; 1 --until was not reached, or the run ended by fault;\n"
-    "2 wrong use, or an input that is refused; 3 input or output failed.";
+    "Exit status: 0 good; 1 --until was not reached, the run ended by fault, or the\n"
+    "series by a signal; 2 wrong use, or an input that is refused; 3 input or output\n"
+    "failed.";
 
 static const struct argp_option options[] = {
     {"output", 'o', "STORE", 0, "Where to write the store (learn: needed)", 0},

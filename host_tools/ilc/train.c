@@ -1,4 +1,6 @@
+#define _POSIX_C_SOURCE 200809L
 #include <inttypes.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -17,6 +19,22 @@ typedef struct {
     json_t *rows; /* NULL: a table */
     uint32_t p;   /* the next run */
 } training;
+
+static volatile sig_atomic_t stopped;
+
+static void on_signal(int number)
+{
+    stopped = number;
+}
+
+/* A run takes a moment: the one that is under way ends, and what was learned so far is kept. */
+static void take_signals(void)
+{
+    struct sigaction action = {.sa_handler = on_signal};
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+}
 
 static void tell(training *t, const exk_accuracy *accuracy)
 {
@@ -73,15 +91,25 @@ static int iterate(training *t, double *last_mm)
     return ILC_GOOD;
 }
 
+static int say_stopped(const training *t)
+{
+    fprintf(stderr, "exk-ilc: stopped by %s after run %" PRIu32 " of %" PRIu32 "\n",
+            strsignal(stopped), t->p - 1, t->options->n_runs);
+    return ILC_MISSED;
+}
+
 static int run_series(training *t)
 {
     double last_mm = 0.0;
     int code = ILC_GOOD;
     const double until_mm = t->options->until_mm;
     bool reached = false;
-    while (code == ILC_GOOD && t->p <= t->options->n_runs && !reached) {
+    while (code == ILC_GOOD && t->p <= t->options->n_runs && !reached && stopped == 0) {
         code = iterate(t, &last_mm);
         reached = until_mm > 0.0 && last_mm < until_mm;
+    }
+    if (code == ILC_GOOD && stopped != 0 && t->p <= t->options->n_runs && !reached) {
+        return say_stopped(t);
     }
     if (code == ILC_GOOD && until_mm > 0.0 && !reached) {
         fprintf(stderr, "exk-ilc: %g mm was not reached in %" PRIu32 " runs: %g mm\n", until_mm,
@@ -154,6 +182,7 @@ static int train_open(training *t)
 int ilc_train(const ilc_options *options)
 {
     training t = {.options = options, .p = 1};
+    take_signals();
     int code = exk_rig_open(&t.rig, options->input);
     if (code == ILC_GOOD && t.rig.from == EXK_FROM_BUS) {
         fprintf(stderr,

@@ -13,6 +13,11 @@
  *          sample that told something. sqrt(2) of the first term while d^ is young (1/K samples). So the limit grows while
  *          nothing is known, and a true change of course is accepted in the end. Accepting a sample
  *          just inside the limit moves d^ by K of it: the good samples after it stay good.
+ *          One sample later its error is known better. A spike of A shows as A in d - d^ of its own tick, e1,
+ *          and as -K A in that of the next, e2, and both have the variance P+R, so
+ *              A^ = (e1 - K e2)/(1 + K^2),   sigma of A^ = sqrt((P+R)/(1 + K^2)):
+ *          beyond n_sigmas of it, and (1+K)/(1+K^2) of what is not noise, the sample before was a spike. d^
+ *          forgets it, and the pair is rejected in the tick of the second. Asked while d^ is grown up.
  *  Stuck   the same bits n times in a row, n = stuck_s/dt (3 at least), counted only
  *          - while the reference, seen through the same servo, has moved by more than 10 quanta
  *            (1e-6 rad without a quantum) since the value last changed: a quiet dwell is constant by
@@ -72,6 +77,8 @@ typedef struct {
     double expected_rad;  /* x */
     double reference_rad; /* r through the same servo */
     double offset_rad;    /* d^ */
+    double before_rad;    /* d^ without the newest sample in it */
+    double last_rad;      /* d - d^ of that sample, e1 */
     double raw_rad;       /* newest finite sample, good or not */
     double moved_from;    /* reference when raw last changed */
     int64_t n_same;       /* repeats of raw */
@@ -80,14 +87,15 @@ typedef struct {
 } exk_guard_axis;
 
 typedef struct {
-    exk_guard_config cfg; /* fixed by init */
-    double pole;          /* a */
-    double gain;          /* K */
-    double variance;      /* P + R */
-    double limit_rad;     /* of a spike one tick after a good sample, d^ grown up */
-    double fixed_rad;     /* part of the limit that is not noise, a tick */
-    int64_t n_stuck;      /* repeats while the reference moves */
-    int64_t n_stuck_rest; /* repeats at rest; 0: not judged at rest */
+    exk_guard_config cfg;  /* fixed by init */
+    double pole;           /* a */
+    double gain;           /* K */
+    double variance;       /* P + R */
+    double limit_rad;      /* of a spike one tick after a good sample, d^ grown up */
+    double back_limit_rad; /* of A^ */
+    double fixed_rad;      /* part of the limit that is not noise, a tick */
+    int64_t n_stuck;       /* repeats while the reference moves */
+    int64_t n_stuck_rest;  /* repeats at rest; 0: not judged at rest */
     exk_guard_axis axis[EXK_N_AXES];
     double command_rad[EXK_N_AXES]; /* of tick k, as is asked_rad, the reference */
     double asked_rad[EXK_N_AXES];

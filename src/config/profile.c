@@ -67,7 +67,7 @@ exk_profile exk_profile_default(void)
         .feedback = exk_feedback_default(),
         .ilc = exk_ilc_default(),
         .timing = default_timing(),
-        .guard = {.n_sigmas = 6.0, .stuck_s = 0.015, .retract_after_s = 0.1},
+        .guard = {.n_sigmas = 5.5, .stuck_s = 0.015, .retract_after_s = 0.1},
         .limits = default_limits(),
         .telemetry = {.url = "udpm://239.255.76.67:7667?ttl=0",
                       .every = 1,

@@ -2,9 +2,9 @@
 
 #include <math.h>
 
+#include "guard_spike.h"
+
 static const double gain_min = 0.1;
-static const double young_variance = 2.0; /* 1 + 1/i of the mean of i samples, at most */
-static const double rounding_rad = 1e-9;
 static const double moved_quanta = 10.0;
 static const double moved_min_rad = 1e-6; /* movement that any sensor without a quantum shows */
 static const double log_false_stuck = -20.7; /* log 1e-9 */
@@ -87,8 +87,7 @@ exk_err exk_guard_init(exk_guard *g, const exk_guard_config *cfg)
     g->gain = fmax(gain, gain_min);
     g->variance = gain < gain_min ? P + R / (1.0 - 0.5 * gain_min) : P + R;
     g->fixed_rad = cfg->drift_rad / g->gain;
-    g->limit_rad =
-        cfg->n_sigmas * sqrt(g->variance) + g->fixed_rad + cfg->quantum_rad + rounding_rad;
+    exk_guard_set_limits(g);
     g->pole = cfg->servo_tau_s > 0.0 ? exp(-cfg->dt_s / cfg->servo_tau_s) : 0.0;
     set_stuck(g);
     exk_guard_reset(g);
@@ -192,32 +191,8 @@ static bool is_stuck(const exk_guard *g, exk_guard_axis *axis, double m_rad)
     return moved_rad > least_rad || (g->n_stuck_rest > 0 && axis->n_same >= g->n_stuck_rest);
 }
 
-/* Limit of a spike at tick k: n ticks after the last sample that told something. */
-static double spike_limit(const exk_guard *g, const exk_guard_axis *axis, int64_t k)
-{
-    const bool young = (double)axis->n_news * g->gain < 1.0;
-    const int64_t n = k - axis->k_news;
-    if (n <= 1 && !young) {
-        return g->limit_rad;
-    }
-    const double Q = g->cfg.walk_rad * g->cfg.walk_rad;
-    const double steps = n > 1 ? (double)n : 1.0;
-    const double variance = (young ? young_variance : 1.0) * g->variance + (steps - 1.0) * Q;
-    return g->cfg.n_sigmas * sqrt(variance) + steps * g->fixed_rad + g->cfg.quantum_rad +
-           rounding_rad;
-}
-
-static double start_limit(const exk_guard *g)
-{
-    const double Q = g->cfg.walk_rad * g->cfg.walk_rad;
-    const double R = g->cfg.white_rad * g->cfg.white_rad;
-    const double ticks = (double)g->k + 1.0; /* a walk may have begun at tick 0 */
-    return g->cfg.n_sigmas * sqrt(young_variance * R + ticks * Q) + g->cfg.start_rad +
-           ticks * g->cfg.drift_rad + g->cfg.quantum_rad + rounding_rad;
-}
-
-static exk_sample_kind reject(exk_guard *g, int axis, exk_sample_kind kind, double value,
-                              double limit)
+exk_sample_kind exk_guard_reject(exk_guard *g, int axis, exk_sample_kind kind, double value,
+                                 double limit)
 {
     g->bad_axis = axis;
     g->bad_value = value;
@@ -230,7 +205,7 @@ static exk_sample_kind judge_numbers(exk_guard *g, const double m_rad[EXK_N_AXES
     for (int i = 0; i < EXK_N_AXES; i++) {
         const exk_sample_kind kind = judge_number(g, m_rad[i]);
         if (kind != EXK_SAMPLE_GOOD) {
-            return reject(g, i, kind, m_rad[i], g->cfg.angle_max_rad);
+            return exk_guard_reject(g, i, kind, m_rad[i], g->cfg.angle_max_rad);
         }
     }
     return EXK_SAMPLE_GOOD;
@@ -242,51 +217,11 @@ static exk_sample_kind judge_stuck(exk_guard *g, const double m_rad[EXK_N_AXES])
     exk_sample_kind kind = EXK_SAMPLE_GOOD;
     for (int i = 0; i < EXK_N_AXES; i++) {
         if (is_stuck(g, &g->axis[i], m_rad[i])) {
-            kind = reject(g, i, EXK_SAMPLE_STUCK, m_rad[i], (double)g->axis[i].n_same);
+            kind =
+                exk_guard_reject(g, i, EXK_SAMPLE_STUCK, m_rad[i], (double)g->axis[i].n_same);
         }
     }
     return kind;
-}
-
-static exk_sample_kind judge_spike(exk_guard *g, int64_t k, const double m_rad[EXK_N_AXES])
-{
-    if (!isfinite(g->cfg.n_sigmas)) {
-        return EXK_SAMPLE_GOOD;
-    }
-    for (int i = 0; i < EXK_N_AXES; i++) {
-        const exk_guard_axis *axis = &g->axis[i];
-        if (axis->n_news == 0 && !g->starts) {
-            continue;
-        }
-        const double off_rad = m_rad[i] - axis->expected_rad - axis->offset_rad;
-        const double limit_rad = axis->n_news > 0 ? spike_limit(g, axis, k) : start_limit(g);
-        if (!(fabs(off_rad) <= limit_rad)) {
-            return reject(g, i, EXK_SAMPLE_SPIKE, off_rad, limit_rad);
-        }
-    }
-    return EXK_SAMPLE_GOOD;
-}
-
-/* d^ begins anew after a gap: what happened meanwhile is not known. */
-static void learn_axis(const exk_guard *g, exk_guard_axis *axis, int64_t k, double m_rad)
-{
-    const bool whole = axis->n_news > 0 && k - axis->k_news <= 1;
-    const double mean = whole ? 1.0 / ((double)axis->n_news + 1.0) : 1.0;
-    const double gain = mean > g->gain ? mean : g->gain;
-    if (axis->n_same > 1) {
-        return;
-    }
-    axis->offset_rad += gain * (m_rad - axis->expected_rad - axis->offset_rad);
-    axis->n_news = whole ? axis->n_news + 1 : 1;
-    axis->k_news = k;
-}
-
-static void learn(exk_guard *g, int64_t k, const double m_rad[EXK_N_AXES])
-{
-    for (int i = 0; i < EXK_N_AXES; i++) {
-        learn_axis(g, &g->axis[i], k, m_rad[i]);
-    }
-    g->starts = false;
 }
 
 exk_sample_kind exk_guard_check(exk_guard *g, int64_t k, const double r_rad[EXK_N_AXES],
@@ -295,7 +230,7 @@ exk_sample_kind exk_guard_check(exk_guard *g, int64_t k, const double r_rad[EXK_
     expect(g, k, r_rad, q_rad);
     exk_sample_kind kind = judge_arrival(g, k, m);
     if (kind != EXK_SAMPLE_GOOD) {
-        reject(g, -1, kind, (double)m->age, 0.0);
+        exk_guard_reject(g, -1, kind, (double)m->age, 0.0);
     } else {
         kind = judge_numbers(g, m->measured_rad);
     }
@@ -303,10 +238,10 @@ exk_sample_kind exk_guard_check(exk_guard *g, int64_t k, const double r_rad[EXK_
         kind = judge_stuck(g, m->measured_rad);
     }
     if (kind == EXK_SAMPLE_GOOD) {
-        kind = judge_spike(g, k, m->measured_rad);
+        kind = exk_guard_judge_spike(g, k, m->measured_rad);
     }
     if (kind == EXK_SAMPLE_GOOD) {
-        learn(g, k, m->measured_rad);
+        exk_guard_learn(g, k, m->measured_rad);
     }
     g->n[kind]++;
     return kind;

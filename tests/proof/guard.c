@@ -19,6 +19,7 @@ static void any_state(exk_guard *g)
     g->gain = any_in(0.1, 1.0);
     g->variance = any_in(0.0, 10.0);
     g->limit_rad = any_bits();
+    g->back_limit_rad = any_bits();
     g->fixed_rad = any_in(0.0, 10.0);
     g->n_stuck = 3 + tick(0);
     g->n_stuck_rest = tick(0);
@@ -29,6 +30,8 @@ static void any_state(exk_guard *g)
         g->axis[i] = (exk_guard_axis){.expected_rad = any_in(-2.0, 2.0),
                                       .reference_rad = any_in(-2.0, 2.0),
                                       .offset_rad = any_in(-10.0, 10.0),
+                                      .before_rad = any_in(-10.0, 10.0),
+                                      .last_rad = any_in(-10.0, 10.0),
                                       .raw_rad = any_bits(),
                                       .moved_from = any_in(-2.0, 2.0),
                                       .n_same = tick(0),

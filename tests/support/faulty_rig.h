@@ -38,7 +38,7 @@ static inline void faulty_set_loop(faulty_rig *rig)
     rig->cfg.feedback.kind = EXK_FEEDBACK_PID;
     rig->cfg.feedback.pid.kp = 0.05;
     rig->cfg.feedback.pid.ki = 100.0;
-    rig->cfg.guard.n_sigmas = 6.0;
+    rig->cfg.guard.n_sigmas = 5.5;
     exk_guard_expect(&rig->twin_cfg, (double)rig->plan.n_ticks * rig->plan.cfg.dt_s,
                      &rig->cfg.guard);
     rig->cfg.limits.angle_max_rad = geo.angle_max_rad;

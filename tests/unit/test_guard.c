@@ -129,6 +129,42 @@ static void a_young_guard_is_more_patient(void)
     TEST_ASSERT_EQUAL(EXK_SAMPLE_GOOD, judge(2, 0.0, reading(0.4 + 0.99 * young, -0.4)));
 }
 
+/* A walk alone, K = 1: a spike of A is +A and then -A, so A^ = (e1 - e2)/2 with sigma/sqrt(2). */
+static void grow_up_at_rest(double walk_rad)
+{
+    cfg.walk_rad = walk_rad;
+    cfg.n_sigmas = 6.0;
+    start();
+    for (int64_t k = 0; k < 20; k++) {
+        judge(k, 0.0, reading(1e-12 * (double)(k % 2), 1e-12 * (double)(k % 2)));
+    }
+}
+
+static void a_spike_below_the_limit_is_seen_in_the_next_sample(void)
+{
+    grow_up_at_rest(1e-4);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-8, 6e-4 / sqrt(2.0), guard.back_limit_rad);
+    const double spike = 0.9 * guard.limit_rad;
+    TEST_ASSERT_EQUAL(EXK_SAMPLE_GOOD, judge(20, 0.0, reading(0.0, -spike)));
+    TEST_ASSERT_EQUAL(EXK_SAMPLE_SPIKE, judge(21, 0.0, reading(0.0, 0.0)));
+    TEST_ASSERT_EQUAL_INT(EXK_BETA, guard.bad_axis);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, -spike, guard.bad_value);
+    TEST_ASSERT_EQUAL_DOUBLE(guard.back_limit_rad, guard.bad_limit);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-11, 0.0, guard.axis[EXK_BETA].offset_rad); /* forgotten */
+    TEST_ASSERT_EQUAL(EXK_SAMPLE_GOOD, judge(22, 0.0, reading(0.0, 0.0)));
+    TEST_ASSERT_EQUAL_INT64(1, guard.n[EXK_SAMPLE_SPIKE]);
+}
+
+static void a_new_level_is_no_spike_of_the_sample_before(void)
+{
+    grow_up_at_rest(1e-4);
+    const double level = 0.9 * guard.limit_rad;
+    TEST_ASSERT_EQUAL(EXK_SAMPLE_GOOD, judge(20, 0.0, reading(level, level)));
+    TEST_ASSERT_EQUAL(EXK_SAMPLE_GOOD, judge(21, 0.0, reading(level, level + 1e-12)));
+    TEST_ASSERT_EQUAL(EXK_SAMPLE_GOOD,
+                      judge(23, 0.0, reading(0.0, 0.0))); /* a gap: not looked back over */
+}
+
 /* A walk: after n ticks without a good sample the limit has grown, and a new course is taken. */
 static void the_limit_grows_while_nothing_is_known(void)
 {
@@ -345,6 +381,8 @@ int main(void)
     RUN_TEST(arrivals_are_judged_by_the_tick_they_belong_to);
     RUN_TEST(a_spike_is_beyond_the_limit_of_the_header);
     RUN_TEST(a_young_guard_is_more_patient);
+    RUN_TEST(a_spike_below_the_limit_is_seen_in_the_next_sample);
+    RUN_TEST(a_new_level_is_no_spike_of_the_sample_before);
     RUN_TEST(the_limit_grows_while_nothing_is_known);
     RUN_TEST(the_expected_servo_is_that_of_the_profile);
     RUN_TEST(stuck_is_judged_while_the_reference_moves);
