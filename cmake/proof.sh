@@ -27,6 +27,6 @@ prove() {
 bad=0
 prove pi src/control/pid.c || bad=1
 prove ilc src/control/ilc.c || bad=1
-prove guard src/loop/guard.c || bad=1
+prove guard src/loop/guard.c src/loop/guard_spike.c || bad=1
 prove state src/loop/state.c || bad=1
 exit "$bad"
