@@ -1,7 +1,7 @@
 # shellcheck shell=bash disable=SC2154
-# The parts of ./check --long, sourced by it. What a part needs and the host does not offer is said and left out.
+# Analysers, and the parts of ./check --long, sourced by it. What a part needs and the host does not offer is said and left out.
 
-packages_long=(clang-19 libclang-rt-19-dev llvm-19 clang-tidy-19 cppcheck frama-c-base valgrind)
+packages_long=(clang-19 libclang-rt-19-dev llvm-19 clang-tidy-19 frama-c-base valgrind)
 fuzz_runs=${EXK_FUZZ_RUNS:-10000000}
 core_rooms=(base kinematics plan random noise control plant loop metrics config)
 # MISRA C is asked of the rooms that control a machine, not of config, which reads text.
@@ -69,6 +69,17 @@ run_valgrind() {
     done
 }
 
+# --- long forms of tests ------------------------------------------------------------------------
+
+run_long_forms() {
+    local folder name
+    for name in detection fault_product; do
+        EXK_LONG=1 "build/release/tests/test_$name" || return
+    done
+    folder=$(mktemp -d)
+    build/release/tests/exk_killed 10000 "$folder" && rm -r "$folder"
+}
+
 # --- fuzzing -----------------------------------------------------------------------------------
 
 # What is new is kept in build/fuzz-corpus; an input that breaks a promise is left in build/fuzz-findings.
@@ -93,24 +104,30 @@ run_fuzz() {
         xargs -P "$(nproc)" -I{} bash -c "fuzz_one {} $fuzz_runs"
 }
 
-# check_long: every part, so that one run tells all. About two hours on two cores, most of it fuzzing.
-long_step() {
+# tool_step TOOL LABEL COMMAND...: goes on after a failure, so that one run tells all.
+tool_step() {
     local needs=$1 label=$2
     shift 2
     have "$needs" "$label" || return 0
     step "$label" "$@" || failed+=("$label")
 }
 
+check_quick_tools() {
+    tool_step gcc "gcc -fanalyzer" run_analyzer
+    tool_step cppcheck "cppcheck, MISRA C:2012" run_misra
+}
+
+# About two hours on two cores, most of it fuzzing.
 check_long() {
-    long_step gcc "gcc -fanalyzer" run_analyzer
-    long_step clang-tidy-19 "clang-tidy" run_tidy
-    long_step cppcheck "cppcheck, MISRA C:2012" run_misra
-    long_step frama-c "Frama-C Eva" bash cmake/proof.sh . build/proof
+    tool_step clang-tidy-19 "clang-tidy" run_tidy
+    tool_step frama-c "Frama-C Eva" bash cmake/proof.sh . build/proof
     cat "$exk_log"
-    long_step llvm-cov-19 "MC/DC of the core" run_mcdc
+    tool_step llvm-cov-19 "MC/DC of the core" run_mcdc
     grep -e '^TOTAL' -e '^not tested' -e '^docs/coverage' "$exk_log" || true
-    long_step clang-19 "thread sanitizer" run_tsan
-    long_step valgrind "valgrind" run_valgrind
-    long_step clang-19 "fuzzing, $fuzz_runs a target" run_fuzz
+    tool_step clang-19 "thread sanitizer" run_tsan
+    tool_step valgrind "valgrind" run_valgrind
+    step "long forms of tests" run_long_forms || failed+=("long forms of tests")
+    grep -e '^false' -e '^spikes' -e 'kills,' "$exk_log" || true
+    tool_step clang-19 "fuzzing, $fuzz_runs a target" run_fuzz
     cat "$exk_log"
 }
