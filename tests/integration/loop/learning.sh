@@ -28,14 +28,15 @@ awk '/"iteration":/ {p++; if ($2 != p ",") exit 1}
 
 # A series that is stopped keeps what it has learned: that of the runs on the table, to the bit.
 for signal in INT TERM; do
-    "$bin/exk-ilc" train "$profile" -n 100000 -o stopped.ilc >out 2>err &
+    : >table.$signal
+    "$bin/exk-ilc" train "$profile" -n 100000 -o stopped.ilc >table.$signal 2>err &
     pid=$!
-    while kill -0 $pid && [ "$(wc -l <out)" -le 4 ]; do sleep 0.05; done
+    while kill -0 $pid && [ "$(wc -l <table.$signal)" -le 4 ]; do sleep 0.05; done
     kill -$signal $pid
     code=0
     wait $pid || code=$?
-    [ $code -eq 1 ] || { cat out err >&2; fail "SIG$signal: exit code $code, not 1"; }
-    runs=$(($(wc -l <out) - 2))
+    [ $code -eq 1 ] || { cat err >&2; fail "SIG$signal: exit code $code, not 1"; }
+    runs=$(($(wc -l <table.$signal) - 2))
     expect_part err "after run $runs of 100000"
     expect_code 0 "$bin/exk-ilc" train "$profile" -n $runs -o whole.ilc
     cmp stopped.ilc whole.ilc || fail "SIG$signal: the store is not that of $runs runs"
