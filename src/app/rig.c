@@ -6,8 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "exk/excess.h"
 #include "exk/input.h"
 #include "exk/job_csv.h"
+#include "exk/pendulum.h"
 #include "exk/store.h"
 #include "exk/units.h"
 
@@ -75,17 +77,39 @@ static int make_plan(exk_rig *rig, const char *path)
     return 0;
 }
 
+/* "leg 2 would be 1402.110 mm, limit 1350.000 mm", or the reason alone. */
+static void say_excess(const exk_kin *kin, const exk_tool *tool, exk_err err, char *out,
+                       size_t size)
+{
+    static const char *const angles[EXK_N_AXES] = {"alpha", "beta"};
+    exk_excess excess;
+    if (kin->model != EXK_KIN_MACHINE && err == EXK_ERR_LIMIT) {
+        snprintf(out, size, "alpha or beta would be beyond %.1f deg",
+                 EXK_PENDULUM_ANGLE_MAX_RAD / EXK_RAD_PER_DEG);
+    } else if (!exk_excess_of_tool(kin, tool, &excess)) {
+        snprintf(out, size, "%s", exk_err_name(err));
+    } else if (excess.is_leg) {
+        snprintf(out, size, "leg %d would be %.3f mm long, limit %.3f mm", excess.index + 1,
+                 excess.value * EXK_MM_PER_M, excess.limit * EXK_MM_PER_M);
+    } else {
+        snprintf(out, size, "%s would be %.3f deg, limit %.3f deg", angles[excess.index],
+                 excess.value / EXK_RAD_PER_DEG, excess.limit / EXK_RAD_PER_DEG);
+    }
+}
+
 static void name_unreachable(const exk_rig *rig, const char *path, int64_t k, exk_err err)
 {
     exk_ref ref;
+    char reason[96];
     exk_plan_at(&rig->plan, k, &ref);
+    say_excess(&rig->kin, &ref.tool, err, reason, sizeof reason);
     fprintf(stderr,
             "%s: hole %" PRId32 ": the machine cannot %s it at x %.3f y %.3f z %.3f mm: %s; "
             "move the hole or change [machine]\n",
             path, rig->holes[ref.hole].id,
             ref.phase == EXK_PHASE_TRAVEL ? "travel to" : "work on",
             ref.tool.tip_m[EXK_X] * EXK_MM_PER_M, ref.tool.tip_m[EXK_Y] * EXK_MM_PER_M,
-            ref.tool.tip_m[EXK_Z] * EXK_MM_PER_M, exk_err_name(err));
+            ref.tool.tip_m[EXK_Z] * EXK_MM_PER_M, reason);
 }
 
 /* Every tick of the plan goes through the inverse; each hole is named once. */

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "exk/excess.h"
 #include "exk/ilc.h"
 
 int64_t exk_step_time_us(const exk_loop *loop, int64_t k)
@@ -67,12 +68,18 @@ static exk_err command(exk_loop *loop)
 static void explain(const exk_loop *loop, exk_violation *what)
 {
     const double angle_max_rad = loop->cfg.kin->geo.angle_max_rad;
+    exk_joints q = loop->open_r;
+    exk_excess excess;
     *what = (exk_violation){EXK_QUANTITY_POSE, 0, 0.0, 0.0};
     for (int i = 0; i < EXK_N_AXES; i++) {
-        const double q = loop->open.q_rad[i];
-        if (!(fabs(q) <= angle_max_rad)) {
-            *what = (exk_violation){EXK_QUANTITY_ANGLE, i, q, angle_max_rad};
+        q.angle_rad[i] = loop->open.q_rad[i];
+        if (!(fabs(q.angle_rad[i]) <= angle_max_rad)) {
+            *what = (exk_violation){EXK_QUANTITY_ANGLE, i, q.angle_rad[i], angle_max_rad};
+            return;
         }
+    }
+    if (exk_excess_of_joints(loop->cfg.kin, &q, &excess)) {
+        *what = (exk_violation){EXK_QUANTITY_LEG, excess.index, excess.value, excess.limit};
     }
 }
 

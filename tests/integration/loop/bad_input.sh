@@ -39,9 +39,9 @@ csv_job() {
     printf "%b" "$2" >holes.csv
 }
 csv_job machine 'id,x_mm,y_mm\n1,0,0\n17,900,0\n'
-refused "bad.ini: hole 17: the machine cannot travel to it at x 637.500 y 0.000 z 1450.000 mm: beyond limit; move the hole or change [machine]"
+refused "bad.ini: hole 17: the machine cannot travel to it at x 637.500 y 0.000 z 1450.000 mm: leg 1 would be 1350.055 mm long, limit 1350.000 mm; move the hole or change [machine]"
 csv_job pendulum 'id,x_mm,y_mm\n17,900,0\n'
-refused "bad.ini: hole 17: the machine cannot work on it at x 900.000 y 0.000 z 950.000 mm: beyond limit; move the hole or change [machine]"
+refused "bad.ini: hole 17: the machine cannot work on it at x 900.000 y 0.000 z 950.000 mm: alpha or beta would be beyond 34.4 deg; move the hole or change [machine]"
 csv_job pendulum 'id,x_mm,y_mm\n1,0,0\n2,5,5\n1,9,9\n'
 refused "holes.csv:4: id: given twice: found 1, first in line 2; give each hole its own"
 csv_job pendulum ''
