@@ -169,10 +169,12 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(run_everything);
-    RUN_TEST(published_figures);
-    RUN_TEST(claims_in_words);
-    RUN_TEST(the_gap_at_the_last_point_is_larger_in_x);
-    RUN_TEST(learning_halves_the_error);
+    if (Unity.TestFailures == 0) { /* the others judge what it counted */
+        RUN_TEST(published_figures);
+        RUN_TEST(claims_in_words);
+        RUN_TEST(the_gap_at_the_last_point_is_larger_in_x);
+        RUN_TEST(learning_halves_the_error);
+    }
     RUN_TEST(learning_angles_is_learning_positions);
     study_sums_close(&sums);
     study_sums_close(&many);
