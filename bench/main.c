@@ -10,13 +10,12 @@
 enum { CASES_MAX = 32, EXIT_INPUT = 2, EXIT_IO = 3 };
 
 static const char doc[] =
-    "Times the calls a control step is made of, and the whole step."
-    "\v"
+    "Times the calls a control step is made of, and the whole step.\v"
     "Example:\n"
     "  exk-bench --json > bench.json\n"
     "\n"
-    "ns per call over 1024 independent inputs; median of 7 interleaved rounds, each the\n"
-    "median of 51 repeats. Compare ratios of one run: machines are noisy.";
+    "ns per call over 1024 independent inputs; median of 7 interleaved rounds, each\n"
+    "the median of 51 repeats. Compare ratios of one run: machines are noisy.";
 
 static const struct argp_option options[] = {{"json", 'j', NULL, 0, "Print JSON", 0}, {0}};
 

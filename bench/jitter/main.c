@@ -22,20 +22,19 @@ enum {
 enum { CASES = 8, EXIT_MISSED = 1, EXIT_INPUT = 2 };
 
 static const char doc[] =
-    "Measures how late ticks begin, for the pacer of exk-loop and for cyclictest in turns on "
-    "one "
-    "core: at 1 and 10 kHz, on an idle and on a loaded host, with and without real-time rights."
-    "\v"
-    "The load is one CPU hog a processor and a disk writer in the current folder. Needs "
-    "cyclictest (Debian rt-tests), which wants root. Without rights ours runs as nobody, "
-    "cyclictest as root with SCHED_OTHER. The whole run takes 8 x pairs x 2 x seconds, 54 "
-    "minutes; --rate, --host and --rights choose a part.\n"
+    "Measures how late ticks begin, for the pacer of exk-loop and for cyclictest in\n"
+    "turns on one core: at 1 and 10 kHz, on an idle and on a loaded host, with and\n"
+    "without real-time rights.\v"
+    "The load is one CPU hog a processor and a disk writer in the current folder.\n"
+    "Needs cyclictest (Debian rt-tests), which wants root. Without rights ours runs\n"
+    "as nobody, cyclictest as root with SCHED_OTHER. The whole run takes 8 x pairs\n"
+    "x 2 x seconds, 54 minutes; --rate, --host and --rights choose a part.\n"
     "\n"
     "Example:\n"
-    "  exk-jitter --rate 1000 --host idle --rights fifo --json=jitter.json --plot jitter.svg\n"
+    "  exk-jitter --rate 1000 --host idle --rights fifo --plot jitter.svg\n"
     "\n"
-    "Exit status: 0 median ratios of p50 and p99 at most 1.2, 1 one is above, 2 wrong use, 3 a "
-    "measurement or a file failed.";
+    "Exit status: 0 median ratios of p50 and p99 at most 1.2, 1 one is above,\n"
+    "2 wrong use, 3 a measurement or a file failed.";
 
 static const struct argp_option options[] = {
     {"seconds", KEY_SECONDS, "S", 0, "Length of one stretch (default 20)", 0},

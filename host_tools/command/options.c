@@ -10,24 +10,25 @@
 enum { KEY_URL = 256, KEY_KEY, KEY_KEEP };
 
 static const char doc[] =
-    "Gives a command to the controller that runs on the bus, with the keyed hash that its "
-    "profile asks for."
-    "\v"
-    "COMMAND is start (begin, or go on after a hold), stop (slow down and hold), abort (stop "
-    "at "
-    "once, stay), clear (the fault is understood; then start) or alive (the sender is there). "
-    "A controller obeys only where [command] in its profile says allow = yes, and holds when "
-    "no valid command comes for its timeout_s: --keep goes on sending.\n"
+    "Gives a command to the controller that runs on the bus, with the keyed hash\n"
+    "that its profile asks for.\v"
+    "COMMAND is start (begin, or go on after a hold), stop (slow down and hold),\n"
+    "abort (stop at once, stay), clear (the fault is understood; then start) or\n"
+    "alive (the sender is there). A controller obeys only where [command] in its\n"
+    "profile says allow = yes, and holds when no valid command comes for its\n"
+    "timeout_s: --keep goes on sending.\n"
     "\n"
     "Examples:\n"
-    "  exk-command keygen operator.key                 once, on the controller's host\n"
-    "  exk-command start --key operator.key --keep     start, then be there until Ctrl-C\n"
+    "  exk-command keygen operator.key               once, where exk-loop runs\n"
+    "  exk-command start --key operator.key --keep   start; alive until Ctrl-C\n"
     "  exk-command stop --key operator.key\n"
     "\n"
-    "The key is 64 hexadecimal digits in a file that its owner alone may read (mode 0600).\n"
+    "The key is 64 hexadecimal digits in a file that its owner alone may read (mode\n"
+    "0600).\n"
     "\n"
-    "Exit status: 0 the controller took the command; 1 it refused it, or did not answer; 2 "
-    "wrong use, or a key that is refused; 3 the bus failed, or no controller is heard.";
+    "Exit status: 0 the controller took the command; 1 it refused it, or did not\n"
+    "answer; 2 wrong use, or a key that is refused; 3 the bus failed, or no\n"
+    "controller is heard.";
 
 static const struct argp_option options[] = {
     {"key", KEY_KEY, "FILE", 0, "The key that the profile's key_file names", 0},

@@ -6,22 +6,19 @@
 
 enum { KEY_URL = 256, KEY_JSON };
 
-static const char doc[] = "Looks whether this machine is ready for the bus and for real time, "
-                          "and says for each point what "
-                          "to do."
-                          "\v"
-                          "Looked at: the multicast route, LCM messages there and back, the "
-                          "receive buffer, how far messages "
-                          "go, real-time scheduling, locked memory, punctuality of the clock, "
-                          "gnuplot and Java. Nothing is "
-                          "changed. Takes about a second.\n"
-                          "\n"
-                          "Examples:\n"
-                          "  exk-doctor\n"
-                          "  exk-doctor --url='udpm://239.255.76.67:7700?ttl=0' --json\n"
-                          "\n"
-                          "Exit status: 0 all good, or only warnings; 1 something fails; 2 "
-                          "wrong use; 3 output failed.";
+static const char doc[] =
+    "Looks whether this machine is ready for the bus and for real time, and says\n"
+    "for each point what to do.\v"
+    "Looked at: the multicast route, LCM messages there and back, the receive\n"
+    "buffer, how far messages go, real-time scheduling, locked memory, punctuality\n"
+    "of the clock, gnuplot and Java. Nothing is changed. Takes about a second.\n"
+    "\n"
+    "Examples:\n"
+    "  exk-doctor\n"
+    "  exk-doctor --url='udpm://239.255.76.67:7700?ttl=0' --json\n"
+    "\n"
+    "Exit status: 0 all good, or only warnings; 1 something fails; 2 wrong use;\n"
+    "3 output failed.";
 
 static const struct argp_option options[] = {
     {"url", KEY_URL, "URL", 0, "LCM URL to try (default: LCM_DEFAULT_URL, then this host)", 0},

@@ -23,22 +23,21 @@ enum {
 };
 
 static const char doc[] =
-    "Judges the drilled holes of a run, from an LCM log or live from the bus: error of each "
-    "hole, "
-    "mean, largest, rate inside the tolerance, capability, beside the published machines."
-    "\v"
-    "One sample a hole counts, the last before the stroke; the error is radial, in the plane "
-    "normal to the hole axis.\n"
+    "Judges the drilled holes of a run, from an LCM log or live from the bus: error\n"
+    "of each hole, mean, largest, rate inside the tolerance, capability, beside the\n"
+    "published machines.\v"
+    "One sample a hole counts, the last before the stroke; the error is radial, in\n"
+    "the plane normal to the hole axis.\n"
     "\n"
     "Examples:\n"
     "  exk-holes run.lcm                               the table\n"
     "  exk-holes run.lcm --json                        the same for machines\n"
     "  exk-holes run.lcm --csv holes.csv --plot holes.svg --plot holes.png\n"
-    "  exk-holes --live                                judges the run on the bus when it is "
-    "done\n"
+    "  exk-holes --live                                the run on the bus\n"
     "\n"
-    "Exit status: 0 every hole is inside its tolerance; 1 one is not, or samples were lost; "
-    "2 wrong use, or a log that cannot be judged; 3 input or output failed.";
+    "Exit status: 0 every hole is inside its tolerance; 1 one is not, or samples\n"
+    "were lost; 2 wrong use, or a log that cannot be judged; 3 input or output\n"
+    "failed.";
 
 static const struct argp_option options[] = {
     {"live", KEY_LIVE, NULL, 0, "Listen on the bus until the run is done", 0},

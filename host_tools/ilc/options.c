@@ -11,8 +11,7 @@
 enum { KEY_SERIES = 256, KEY_UNTIL, KEY_JSON, KEY_ALLOW_BAD };
 
 static const char doc[] =
-    "Makes and checks the stored correction (ILC) of a drilling job."
-    "\v"
+    "Makes and checks the stored correction (ILC) of a drilling job.\v"
     "  learn LOG -o STORE        one update u + K (e + c) from a recorded run\n"
     "  train PROFILE -n N        N runs and N updates here, a line for each run\n"
     "  show STORE                what a store holds\n"
@@ -27,8 +26,8 @@ static const char doc[] =
     "log).\n"
     "\n"
     "Exit status: 0 good; 1 --until was not reached, the run ended by fault, or the\n"
-    "series by a signal; 2 wrong use, or an input that is refused; 3 input or output\n"
-    "failed.";
+    "series by a signal; 2 wrong use, or an input that is refused; 3 input or\n"
+    "output failed.";
 
 static const struct argp_option options[] = {
     {"output", 'o', "STORE", 0, "Where to write the store (learn: needed)", 0},

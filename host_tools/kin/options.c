@@ -9,8 +9,8 @@
 enum { KEY_MODEL = 256, KEY_WRIST, KEY_PROFILE };
 
 static const char doc[] =
-    "Kinematics of an Exechon-type machine on CSV, from standard input to standard output."
-    "\v"
+    "Kinematics of an Exechon-type machine on CSV, from standard input to standard\n"
+    "output.\v"
     "Columns, found by name in the header, in any order; others are ignored:\n"
     "\n"
     "  pendulum, universal\n"
@@ -26,21 +26,22 @@ static const char doc[] =
     "    forward   l1_m,l2_m,l3_m,t4_rad,t5_rad -> x_m,..,nz,alpha_rad,beta_rad\n"
     "    jacobian  x_m,y_m,z_m,nx,ny,nz -> j11..j33\n"
     "\n"
-    "tripod: x_m,y_m,z_m is the plate point O1; machine: the tool tip, nx,ny,nz the unit tool "
-    "direction. jacobian, row-major: pendulum and universal d(x,y)/d(alpha,beta), tripod "
-    "d(l1,l2,l3)/d(x,y,z) of O1, machine the same of the tool tip at a fixed tool axis.\n"
+    "tripod: x_m,y_m,z_m is the plate point O1; machine: the tool tip, nx,ny,nz the\n"
+    "unit tool direction. jacobian, row-major: pendulum and universal\n"
+    "d(x,y)/d(alpha,beta), tripod d(l1,l2,l3)/d(x,y,z) of O1, machine the same of\n"
+    "the tool tip at a fixed tool axis.\n"
     "\n"
-    "Every output row ends in status: ok, or why the row has no solution, its numbers then "
-    "empty: bad argument (not finite, or an axis that is not a unit vector), unreachable, "
-    "singular, beyond limit, no convergence. An empty cell of the input is such a row too, so "
-    "results can be piped on.\n"
+    "Every output row ends in status: ok, or why the row has no solution, its\n"
+    "numbers then empty: bad argument (not finite, or an axis that is not a unit\n"
+    "vector), unreachable, singular, beyond limit, no convergence. An empty cell of\n"
+    "the input is such a row too, so results can be piped on.\n"
     "\n"
     "Example:\n"
     "  printf 'x_m,y_m,z_m\\n0,0,0.95\\n' | exk-kin inverse --model tripod\n"
     "  exk-kin inverse --model tripod < poses.csv | exk-kin forward --model tripod\n"
     "\n"
-    "Exit status: 0 every row has a solution, 1 one has none, 2 wrong use, a bad header or a "
-    "cell that is not a number, 3 input or output failed.";
+    "Exit status: 0 every row has a solution, 1 one has none, 2 wrong use, a bad\n"
+    "header or a cell that is not a number, 3 input or output failed.";
 
 static const struct argp_option options[] = {
     {"model", KEY_MODEL, "MODEL", 0,

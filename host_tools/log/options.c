@@ -22,24 +22,20 @@ enum {
 };
 
 static const char doc[] =
-    "Records what exk says on the bus in an LCM log, and counts every lost sample. The log is "
-    "written "
-    "as LOG.part and gets its name when it is whole."
-    "\v"
-    "Recorded are all channels that begin with EXK_, byte by byte, until Ctrl-C, --seconds or "
-    "--until-done. The counts, the CSV and the picture are of one run: the first, or "
-    "--run-id.\n"
+    "Records what exk says on the bus in an LCM log, and counts every lost sample.\n"
+    "The log is written as LOG.part and gets its name when it is whole.\v"
+    "Recorded are all channels that begin with EXK_, byte by byte, until Ctrl-C,\n"
+    "--seconds or --until-done. The counts, the CSV and the picture are of one run:\n"
+    "the first, or --run-id.\n"
     "\n"
     "Examples:\n"
-    "  exk-log run.lcm                                 until Ctrl-C\n"
-    "  exk-log run.lcm --until-done --plot path.svg    one run, and a picture of its path\n"
-    "  exk-log --from run.lcm --csv poses.csv          a log as a table\n"
+    "  exk-log run.lcm                               until Ctrl-C\n"
+    "  exk-log run.lcm --until-done --plot path.svg  one run, with a picture\n"
+    "  exk-log --from run.lcm --csv poses.csv        a log as a table\n"
     "\n"
-    "Exit status: 0 recorded, nothing lost (Ctrl-C is a good end); 1 samples were lost, no "
-    "sample was "
-    "seen, a log read is damaged, or --until-done ended without the run being done; 2 wrong "
-    "use or "
-    "input; 3 input or output failed.";
+    "Exit status: 0 recorded, nothing lost (Ctrl-C is a good end); 1 samples were\n"
+    "lost, no sample was seen, a log read is damaged, or --until-done ended without\n"
+    "the run being done; 2 wrong use or input; 3 input or output failed.";
 
 static const struct argp_option options[] = {
     {"url", KEY_URL, "URL", 0,

@@ -26,32 +26,27 @@ enum {
 };
 
 static const char doc[] =
-    "Runs the published study again over many seeds, with intervals and verdicts."
-    "\v"
-    "  paper          S1 to S9: every figure beside ours, every claim in words tested\n"
-    "  compare        no control, PI, ILC and both, on frozen and on fresh noise, with the "
-    "floor\n"
-    "  calibrate      fits the three fitted numbers; --write puts them into the profiles\n"
-    "  sensitivity    how the verdicts depend on K, dwell, order of S9 and kinematic model\n"
+    "Runs the published study again over many seeds, with intervals and verdicts.\v"
+    "  paper          S1 to S9: figures beside ours, claims in words tested\n"
+    "  compare        no control, PI, ILC, both; frozen and fresh noise; the floor\n"
+    "  calibrate      fits the three fitted numbers; --write: into the profiles\n"
+    "  sensitivity    verdicts over K, dwell, order of S9 and kinematic model\n"
     "  block          the trials --from A up to B of paper into a part file (-o)\n"
     "  merge PART...  part files into the result of paper\n"
     "\n"
     "Examples:\n"
-    "  exk-study paper --seeds 2000 --json paper.json --csv paper.csv --report paper.html\n"
+    "  exk-study paper --json paper.json --csv paper.csv --report paper.html\n"
     "  mpirun -n 4 exk-study paper --seeds 20000 --json paper.json\n"
-    "  parallel exk-study block --from {} --to '{= $_ += 500 =}' -o part{}.bin ::: 0 500 1000 "
-    "1500\n"
-    "  exk-study merge part*.bin --json paper.json\n"
+    "  exk-study block --from 0 --to 1000 -o part0.bin        on one host\n"
+    "  exk-study block --from 1000 --to 2000 -o part1.bin     on another\n"
+    "  exk-study merge part0.bin part1.bin --json paper.json\n"
     "\n"
-    "One seed is one whole study: trial i is series i of the random numbers. -j, mpirun and "
-    "parts\n"
-    "all give the same bytes. With --resume DIR each finished block of 50 trials is kept, and "
-    "the\n"
-    "same command goes on from there.\n"
+    "One seed is one whole study: trial i is series i of the random numbers. -j,\n"
+    "mpirun and parts all give the same bytes. With --resume DIR each finished\n"
+    "block of 50 trials is kept, and the same command goes on from there.\n"
     "\n"
-    "Exit status: 0 done (verdicts are results, not failures), 1 a run ended by fault or a "
-    "signal,\n"
-    "2 wrong use or input, 3 input or output failed.";
+    "Exit status: 0 done (verdicts are results, not failures), 1 a run ended by\n"
+    "fault or a signal, 2 wrong use or input, 3 input or output failed.";
 
 static const struct argp_option options[] = {
     {"seeds", KEY_SEEDS, "N", 0, "Trials, a multiple of 10 (default 2000; sensitivity 500)", 0},

@@ -8,19 +8,20 @@
 enum { KEY_URL = 256, KEY_ONCE };
 
 static const char doc[] =
-    "Is the machine of a profile, in a process of its own: takes commanded angles from the bus "
-    "(EXK_DRIVE) and answers each at once with measured ones (EXK_SENSOR)."
-    "\v"
-    "The controller beside it is exk-loop with the same profile and --source bus, or with "
-    "source = bus in [loop]. Which realisation of its noise the twin is, the controller says: "
-    "a run in two processes gives the same angles as one in a single process.\n"
+    "Is the machine of a profile, in a process of its own: takes commanded angles\n"
+    "from the bus (EXK_DRIVE) and answers each at once with measured ones\n"
+    "(EXK_SENSOR).\v"
+    "The controller beside it is exk-loop with the same profile and --source bus,\n"
+    "or with source = bus in [loop]. Which realisation of its noise the twin is,\n"
+    "the controller says: a run in two processes gives the same angles as one in a\n"
+    "single process.\n"
     "\n"
     "Examples:\n"
-    "  exk-twin profiles/rectangle.ini &                  until Ctrl-C, run after run\n"
+    "  exk-twin profiles/rectangle.ini &       run after run, until Ctrl-C\n"
     "  exk-loop profiles/rectangle.ini --source bus\n"
     "\n"
-    "Exit status: 0 ended by Ctrl-C or, with --once, with the run; 2 wrong use, a profile that "
-    "is refused, or another machine on the bus; 3 the bus failed.";
+    "Exit status: 0 ended by Ctrl-C or, with --once, with the run; 2 wrong use, a\n"
+    "profile that is refused, or another machine on the bus; 3 the bus failed.";
 
 static const struct argp_option options[] = {
     {"url", KEY_URL, "URL", 0, "LCM URL in place of the profile's", 0},

@@ -22,16 +22,16 @@ enum {
 };
 
 static const char doc[] =
-    "Runs the controller of a profile: in real time on the LCM bus, or unpaced with --fast."
-    "\v"
+    "Runs the controller of a profile: in real time on the LCM bus, or unpaced with\n"
+    "--fast.\v"
     "Examples:\n"
-    "  exk-loop profiles/rectangle.ini                    in real time, on the bus\n"
-    "  exk-loop profiles/rectangle.ini --fast -r run.lcm  unpaced, to a log file\n"
+    "  exk-loop profiles/rectangle.ini                    real time, on the bus\n"
+    "  exk-loop profiles/rectangle.ini --fast -r run.lcm  unpaced, into a log\n"
     "  exk-loop profiles/rectangle_ilc.ini --fast --ilc r.ilc -r run2.lcm\n"
-    "  exk-loop profiles/rectangle.ini --source bus       beside exk-twin with this profile\n"
+    "  exk-loop profiles/rectangle.ini --source bus       beside its exk-twin\n"
     "\n"
-    "Watch it with exk-spy, record it with exk-log, judge it with exk-holes.\n"
-    "Ctrl-C ends a run cleanly: the log is complete.\n"
+    "Watch it with exk-spy, record it with exk-log, judge it with exk-holes. Ctrl-C\n"
+    "ends a run cleanly: the log is complete.\n"
     "\n"
     "Exit status: 0 the job was run to its end; 1 it ended by fault or signal;\n"
     "2 wrong use, or a profile, job or store that is refused; 3 input or output\n"
