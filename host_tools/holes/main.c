@@ -6,6 +6,7 @@
 
 #include "bus_url.h"
 #include "exk/log.h"
+#include "exk/plural.h"
 #include "files.h"
 #include "gnuplot.h"
 #include "live.h"
@@ -47,27 +48,23 @@ static int listen(exk_run_log *log, const holes_options *opt)
 static void note_log(const exk_run_log *log)
 {
     if (log->truncated) {
-        fprintf(stderr,
-                "exk-holes: the log ends inside a record: %zu whole samples are judged\n",
-                log->n_samples);
+        fprintf(stderr, "exk-holes: the log ends inside a record: %zu whole sample%s judged\n",
+                log->n_samples, exk_plural_s((int64_t)log->n_samples));
     }
     if (log->n_before > 0) {
         fprintf(stderr,
-                "exk-holes: %" PRId64
-                " samples were sent before the first one here: they count as "
-                "lost\n",
-                log->n_before);
+                "exk-holes: %" PRId64 " sample%s before the first one here counted as lost\n",
+                log->n_before, exk_plural_s(log->n_before));
     }
     if (log->n_damaged > 0) {
-        fprintf(stderr, "exk-holes: %" PRId64 " damaged places of the file skipped\n",
-                log->n_damaged);
+        fprintf(stderr, "exk-holes: %" PRId64 " damaged place%s of the file skipped\n",
+                log->n_damaged, exk_plural_s(log->n_damaged));
     }
     if (log->n_other_run > 0) {
         fprintf(stderr,
                 "exk-holes: %" PRId64
-                " messages of other runs left out: only the first run of a "
-                "log is judged\n",
-                log->n_other_run);
+                " message%s of other runs left out: only the first run of a log is judged\n",
+                log->n_other_run, exk_plural_s(log->n_other_run));
     }
     if (log->has_status && log->status.state == EXK_STATE_FAULT) {
         fprintf(stderr, "exk-holes: the run ended by a fault: %s\n", log->status.reason);
@@ -79,11 +76,12 @@ static void note_log(const exk_run_log *log)
                 log->samples[log->n_samples - 1].k + 1, log->n_ticks);
     }
     if (log->n_repeated > 0) {
-        fprintf(stderr, "exk-holes: %" PRId64 " repeated samples left out\n", log->n_repeated);
+        fprintf(stderr, "exk-holes: %" PRId64 " repeated sample%s left out\n", log->n_repeated,
+                exk_plural_s(log->n_repeated));
     }
     if (log->n_undecoded > 0) {
-        fprintf(stderr, "exk-holes: %" PRId64 " messages on our channels did not decode\n",
-                log->n_undecoded);
+        fprintf(stderr, "exk-holes: %" PRId64 " message%s on our channels did not decode\n",
+                log->n_undecoded, exk_plural_s(log->n_undecoded));
     }
 }
 

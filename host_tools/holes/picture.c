@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "exk/plural.h"
 #include "gnuplot.h"
 #include "picture_draw.h"
 
@@ -31,8 +32,8 @@ static void put_titles(FILE *out, const picture *p)
              report->log->series, report->log->seed, p->layout.enlarged);
     picture_put_text(out, 78.0, 744.0, "left tc rgb '#555555'", text);
     if (report->n_lost > 0) {
-        snprintf(text, sizeof text, "%" PRId64 " samples lost: figures are not evidence",
-                 report->n_lost);
+        snprintf(text, sizeof text, "%" PRId64 " sample%s lost: figures are not evidence",
+                 report->n_lost, exk_plural_s(report->n_lost));
         picture_put_text(out, 1370.0, 772.0, "right font ',13' tc rgb '" OUTSIDE_COLOUR "'",
                          text);
     }
@@ -81,9 +82,21 @@ static void put_map(FILE *out, const picture *p, int part)
     }
 }
 
-/* The key names the marks that some hole has. */
-static void put_key(FILE *out, const hole_report *report)
+/* Ids that would cover something are left out; the table and the CSV have them all. */
+static size_t count_left_out(const picture *p)
 {
+    size_t n = p->layout.ids == NULL ? p->report->n_holes : 0;
+    for (size_t i = 0; p->layout.ids != NULL && i < p->report->n_holes; i++) {
+        n += isnan(p->layout.ids[i].x_mm) ? 1 : 0;
+    }
+    return n;
+}
+
+/* The key names the marks that some hole has. */
+static void put_key(FILE *out, const picture *p)
+{
+    const hole_report *report = p->report;
+    const size_t left_out = count_left_out(p);
     for (int m = 0; m < MARK_COUNT; m++) {
         const size_t n = picture_count(report, (mark)m);
         if (n > 0) {
@@ -95,6 +108,10 @@ static void put_key(FILE *out, const hole_report *report)
             ", NaN with points pt 6 ps 1.5*mark_size lc rgb '" CIRCLE_COLOUR
             "' title 'tolerance %g mm'",
             picture_mm(report->tolerance_m));
+    if (left_out > 0) {
+        fprintf(out, ", NaN with points pt -1 title '%zu id%s without room'", left_out,
+                exk_plural_s((int64_t)left_out));
+    }
 }
 
 static void set_axes(FILE *out, bool x, bool y)
@@ -121,7 +138,7 @@ static void draw_maps(FILE *out, const picture *p)
         picture_put_worst(out, p, part);
         put_map(out, p, part);
         if (part == 0) {
-            put_key(out, p->report);
+            put_key(out, p);
         }
         fputs("\nunset label\nunset arrow\nunset object\nunset key\n", out);
     }

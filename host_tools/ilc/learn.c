@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "exk/log.h"
+#include "exk/plural.h"
 #include "exk/series.h"
 #include "exk/store.h"
 #include "ilc_tool.h"
@@ -115,8 +116,9 @@ static int learn_and_save(const ilc_options *options, const exk_run_log *log,
         return ILC_INPUT;
     }
     if (n_missing > 0) {
-        fprintf(stderr, "exk-ilc: %s: %zu missing ticks take the values of the tick before\n",
-                options->input, n_missing);
+        fprintf(stderr,
+                "exk-ilc: %s: %zu missing tick%s filled with the values of the tick before\n",
+                options->input, n_missing, exk_plural_s((int64_t)n_missing));
     }
     const exk_err err = exk_series_learn(series);
     if (err != EXK_OK) {

@@ -2,6 +2,7 @@
 
 #include <inttypes.h>
 
+#include "exk/plural.h"
 #include "json_file.h"
 
 static const char *ending(const exk_run_log *log)
@@ -82,23 +83,22 @@ void log_report_notes(const log_report *report)
     const exk_run_log *log = report->log;
     if (log->n_before > 0) {
         fprintf(stderr,
-                "exk-log: joined late: %" PRId64
-                " samples were sent before the first one here\n",
-                log->n_before);
+                "exk-log: joined late: %" PRId64 " sample%s sent before the first one here\n",
+                log->n_before, log->n_before == 1 ? " was" : "s were");
     }
     if (log->n_other_run > 0) {
         fprintf(stderr,
                 "exk-log: %" PRId64
-                " messages of other runs are not counted (counted: --run-id %" PRId64 ")\n",
-                log->n_other_run, log->run_id);
+                " message%s of other runs not counted (counted: --run-id %" PRId64 ")\n",
+                log->n_other_run, exk_plural_s(log->n_other_run), log->run_id);
     }
     if (log->truncated) {
         fprintf(stderr, "exk-log: %s ends inside a record: all whole ones before it are used\n",
                 report->path);
     }
     if (log->n_damaged > 0) {
-        fprintf(stderr, "exk-log: %s: %" PRId64 " damaged places skipped\n", report->path,
-                log->n_damaged);
+        fprintf(stderr, "exk-log: %s: %" PRId64 " damaged place%s skipped\n", report->path,
+                log->n_damaged, exk_plural_s(log->n_damaged));
     }
     if (log->n_poses > 0 && !log->has_job) {
         fputs("exk-log: no EXK_JOB was seen: the holes of this run are not known\n", stderr);

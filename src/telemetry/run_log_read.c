@@ -3,6 +3,7 @@
 
 #include "exk/event_file.h"
 #include "exk/log.h"
+#include "exk/plural.h"
 
 static bool feed_all(exk_run_log *log, exk_event_reader *reader)
 {
@@ -23,15 +24,17 @@ static void say_unusable(const exk_run_log *log, const char *path, char *why, si
     if (log->n_undecoded > 0) {
         snprintf(
             why, why_size,
-            "%s: no pose of ours: %lld messages on our channels are of other types; was it "
+            "%s: no pose of ours: %lld message%s on our channels %s of other types; was it "
             "written by another version of exk?",
-            path, (long long)log->n_undecoded);
+            path, (long long)log->n_undecoded, exk_plural_s(log->n_undecoded),
+            log->n_undecoded == 1 ? "is" : "are");
     } else {
         snprintf(
             why, why_size,
-            "%s: an LCM log, but without EXK_POSE (%lld messages of other channels%s); record "
+            "%s: an LCM log, but without EXK_POSE (%lld message%s of other channels%s); record "
             "one with exk-log or exk-loop --record",
-            path, (long long)log->n_other, log->truncated ? ", and cut at its end" : "");
+            path, (long long)log->n_other, exk_plural_s(log->n_other),
+            log->truncated ? ", and cut at its end" : "");
     }
 }
 

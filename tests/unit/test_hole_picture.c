@@ -187,7 +187,7 @@ static void put_picture(const char *path)
 
 static bool picture_says(const char *words)
 {
-    static char text[1 << 20];
+    static char text[1 << 23];
     FILE *f = fopen("exk_holes_test.svg", "rb");
     TEST_ASSERT_NOT_NULL(f);
     text[fread(text, 1, sizeof text - 1, f)] = '\0';
@@ -237,6 +237,29 @@ static void lost_samples_are_said_in_the_picture(void)
     TEST_ASSERT_TRUE(picture_says("12 samples lost: figures are not evidence"));
 }
 
+/* On a dense job not every id has room: the key says how many are left out, and nothing where all stand. */
+static void ids_left_out_are_counted(void)
+{
+    char words[64];
+    size_t n = 0;
+    make_grid(18, 22, 300, 200, 60);
+    picture_layout_make(&report, &layout);
+    TEST_ASSERT_NOT_NULL(layout.ids);
+    for (size_t i = 0; i < report.n_holes; i++) {
+        n += isnan(layout.ids[i].x_mm) ? 1 : 0;
+    }
+    TEST_ASSERT_GREATER_THAN_UINT64(1, n);
+    snprintf(words, sizeof words, "%zu ids without room", n);
+    put_picture("exk_holes_test.svg");
+    TEST_ASSERT_TRUE_MESSAGE(picture_says(words), words);
+    make_grid(20, 30, 300, 200, 40);
+    put_picture("exk_holes_test.svg");
+    TEST_ASSERT_TRUE(picture_says("600 ids without room"));
+    make_grid(2, 2, 300, 200, 40);
+    put_picture("exk_holes_test.svg");
+    TEST_ASSERT_FALSE(picture_says("without room"));
+}
+
 /* A name comes from a log, so from anyone: it may not become part of the script. */
 static void a_name_is_never_run(void)
 {
@@ -254,6 +277,7 @@ int main(void)
     RUN_TEST(circles_can_be_seen);
     RUN_TEST(the_label_of_the_worst_hole_covers_no_point);
     RUN_TEST(a_hole_alone_has_its_id);
+    RUN_TEST(ids_left_out_are_counted);
     RUN_TEST(holes_without_a_position_are_marked_as_such);
     RUN_TEST(lost_samples_are_said_in_the_picture);
     RUN_TEST(a_name_is_never_run);

@@ -35,10 +35,10 @@ expect_code 3 "$bin/exk-log" --from missing.lcm
 expect_text err "exk-log: missing.lcm: cannot be opened: No such file or directory"
 printf '\355\241\332\001\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\6\0\0\0\2CAMERAhi' >camera.lcm
 expect_code 2 "$bin/exk-log" --from camera.lcm
-expect_text err "exk-log: camera.lcm: an LCM log, but without EXK_POSE (1 messages of other channels); record one with exk-log or exk-loop --record"
+expect_text err "exk-log: camera.lcm: an LCM log, but without EXK_POSE (1 message of other channels); record one with exk-log or exk-loop --record"
 printf '\355\241\332\001\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\10\0\0\0\2EXK_POSEhi' >types.lcm
 expect_code 2 "$bin/exk-log" --from types.lcm
-expect_text err "exk-log: types.lcm: no pose of ours: 1 messages on our channels are of other types; was it written by another version of exk?"
+expect_text err "exk-log: types.lcm: no pose of ours: 1 message on our channels is of other types; was it written by another version of exk?"
 
 # wrong use
 expect_code 2 "$bin/exk-log"

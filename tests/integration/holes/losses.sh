@@ -21,7 +21,7 @@ expect_text out "1 sample lost: figures are not evidence"
 # the recording began late
 edit good.lcm late.lcm lose=0-9
 expect_code 1 "$holes" late.lcm
-expect_text err "exk-holes: 10 samples were sent before the first one here: they count as lost"
+expect_text err "exk-holes: 10 samples before the first one here counted as lost"
 expect_text out "10 samples lost: figures are not evidence"
 
 # the last samples never came: the last status knows
@@ -59,7 +59,7 @@ head -c $(($(stat -c %s good.lcm) / 2 + 100)) good.lcm >cut.lcm
 expect_code 1 "$holes" cut.lcm
 "$bin/exk-log" --from cut.lcm -q --csv cut.csv >/dev/null 2>&1
 n_whole=$(($(wc -l <cut.csv) - 1))
-expect_text err "exk-holes: the log ends inside a record: $n_whole whole samples are judged"
+expect_text err "exk-holes: the log ends inside a record: $n_whole whole samples judged"
 expect_code 2 "$bin/exk-ilc" learn cut.lcm -o cut.ilc
 expect_text err "exk-ilc: cut.lcm: $((n - n_whole)) of $n ticks are missing, at most 1 % are allowed: nothing is learned; record a whole run"
 [ -e cut.ilc ] && fail "a store was learned from half a run"
