@@ -1,32 +1,16 @@
 /** exk-command: one command to the controller on the bus. See options.c for its use. */
-#define _POSIX_C_SOURCE 200809L
 #include <inttypes.h>
-#include <signal.h>
 #include <stdio.h>
 
 #include "bus_url.h"
 #include "exk/bus.h"
 #include "exk/realtime.h"
+#include "exk/stop_signal.h"
 #include "options.h"
 
 enum { EXIT_REFUSED = 1, EXIT_INPUT = 2, EXIT_IO = 3, WHY_MAX = 1024 };
 static const int64_t hear_us = 2000000;  /* a controller says its status at least this often */
 static const int64_t reply_us = 1500000; /* its counts show what became of a command */
-
-static volatile sig_atomic_t stop_signal;
-
-static void on_signal(int number)
-{
-    stop_signal = number;
-}
-
-static void catch_signals(void)
-{
-    struct sigaction action = {.sa_handler = on_signal};
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-}
 
 typedef struct {
     exk_bus *bus;
@@ -75,7 +59,7 @@ static bool send_command(sender *s, exk_command command)
 static bool wait_for_controller(sender *s)
 {
     const int64_t until_us = exk_wall_us() + hear_us;
-    while (!s->has_status && stop_signal == 0 && exk_wall_us() < until_us) {
+    while (!s->has_status && exk_stop_signal() == 0 && exk_wall_us() < until_us) {
         if (exk_bus_wait(s->bus, 100) < 0) {
             return false;
         }
@@ -101,7 +85,7 @@ static int wait_for_reply(sender *s, const exk_command_counts *before)
 {
     const int64_t until_us = exk_wall_us() + reply_us;
     const exk_command_counts *now = &s->status.bus.command;
-    while (stop_signal == 0 && exk_wall_us() < until_us) {
+    while (exk_stop_signal() == 0 && exk_wall_us() < until_us) {
         if (now->last_seq >= s->last_seq) {
             return 0;
         }
@@ -117,7 +101,7 @@ static int wait_for_reply(sender *s, const exk_command_counts *before)
 static int keep_on(const command_options *options, sender *s)
 {
     int64_t next_us = exk_wall_us();
-    while (stop_signal == 0 && !s->status.last) {
+    while (exk_stop_signal() == 0 && !s->status.last) {
         if (exk_wall_us() >= next_us) {
             next_us = exk_wall_us() + (int64_t)(options->keep_s * 1e6);
             if (!send_command(s, EXK_COMMAND_ALIVE)) {
@@ -126,7 +110,7 @@ static int keep_on(const command_options *options, sender *s)
         }
         exk_bus_wait(s->bus, (int)(options->keep_s * 500.0) + 1);
     }
-    if (!options->quiet && stop_signal != 0) {
+    if (!options->quiet && exk_stop_signal() != 0) {
         fprintf(stderr, "exk-command: no more alive from here: the controller holds when its "
                         "timeout_s has passed\n");
     }
@@ -179,7 +163,7 @@ int main(int argc, char **argv)
     command_options options;
     char why[WHY_MAX];
     command_options_parse(argc, argv, &options);
-    catch_signals();
+    exk_stop_catch();
     if (!options.keygen) {
         return command(&options);
     }

@@ -5,15 +5,10 @@
 #include <string.h>
 #include <unistd.h>
 
-bool exk_is_terminal(FILE *stream)
-{
-    return isatty(fileno(stream)) == 1;
-}
-
 bool exk_has_colour(FILE *stream)
 {
     const char *no = getenv("NO_COLOR");
     const char *term = getenv("TERM");
     const bool dumb = term == NULL || strcmp(term, "dumb") == 0;
-    return (no == NULL || *no == '\0') && !dumb && exk_is_terminal(stream);
+    return (no == NULL || *no == '\0') && !dumb && isatty(fileno(stream)) == 1;
 }

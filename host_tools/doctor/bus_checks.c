@@ -1,11 +1,11 @@
 #define _POSIX_C_SOURCE 200809L
 #include <inttypes.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "checks.h"
 #include "exk/bus.h"
+#include "now.h"
 
 enum { N_ROUND_TRIPS = 200, N_BURST = 2000, PAYLOAD_BYTES = 400, WAIT_MS = 20 };
 static const double patience_s = 1.0; /* for the first message to come back */
@@ -14,13 +14,6 @@ static const double patience_s = 1.0; /* for the first message to come back */
 static void channel_name(char *out, size_t size)
 {
     snprintf(out, size, "DOCTOR_%ld", (long)getpid());
-}
-
-static double now_s(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 static void count(void *ctx, const char *channel, const void *data, size_t bytes,
@@ -45,12 +38,12 @@ static double round_trip(bench *b)
 {
     static const unsigned char payload[PAYLOAD_BYTES];
     const int before = b->n_received;
-    const double begin = now_s();
+    const double begin = exk_now_s();
     exk_bus_send(b->sender, b->channel, payload, sizeof payload);
-    while (b->n_received == before && now_s() - begin < patience_s) {
+    while (b->n_received == before && exk_now_s() - begin < patience_s) {
         exk_bus_wait(b->receiver, WAIT_MS);
     }
-    return b->n_received > before ? now_s() - begin : -1.0;
+    return b->n_received > before ? exk_now_s() - begin : -1.0;
 }
 
 static int burst(bench *b)

@@ -1,21 +1,18 @@
-#define _POSIX_C_SOURCE 200809L
 #include "live.h"
 
 #include <inttypes.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 #include "exk/bus.h"
+#include "exk/progress_line.h"
+#include "exk/stop_signal.h"
 #include "exk/wire.h"
-#include "terminal.h"
+#include "now.h"
 
 enum { WAIT_MS = 100, LINES_PER_S = 5 };
 
 static const double SILENCE_S = 5.0;
-
-static volatile sig_atomic_t stop_asked; /* written by the signal handler only */
 
 typedef struct {
     exk_run_log *log;
@@ -23,59 +20,37 @@ typedef struct {
     bool no_memory;
 } listener;
 
-static void on_signal(int number)
-{
-    stop_asked = number;
-}
-
-static double now_s(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 static void on_message(void *ctx, const char *channel, const void *data, size_t bytes,
                        int64_t received_us)
 {
     listener *self = ctx;
     (void)received_us;
-    self->heard_s = now_s();
+    self->heard_s = exk_now_s();
     if (!exk_run_log_feed(self->log, channel, data, bytes)) {
         self->no_memory = true;
     }
-}
-
-static void catch_signals(void)
-{
-    struct sigaction action = {.sa_handler = on_signal};
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
 }
 
 static void show_progress(const exk_run_log *log, bool last)
 {
     const exk_sample *sample = log->n_samples > 0 ? &log->samples[log->n_samples - 1] : NULL;
     if (sample == NULL) {
-        fputs("\rexk-holes: waiting for a run ", stderr);
+        exk_progress_show("exk-holes: waiting for a run");
     } else {
-        fprintf(stderr,
-                "\rexk-holes: tick %" PRId64 " of %" PRId64 ", hole %d of %zu, %" PRId64
-                " lost ",
-                sample->k + 1, log->n_ticks, (int)sample->hole + 1, log->n_holes, log->n_lost);
+        exk_progress_show(
+            "exk-holes: %" PRId64 " lost, hole %d of %zu, tick %" PRId64 " of %" PRId64,
+            log->n_lost, (int)sample->hole + 1, log->n_holes, sample->k + 1, log->n_ticks);
     }
     if (last) {
         fputc('\n', stderr);
     }
-    fflush(stderr);
 }
 
 static bool is_over(const listener *self, double begin_s, double seconds)
 {
-    const double now = now_s();
+    const double now = exk_now_s();
     const bool silent = self->log->n_samples > 0 && now - self->heard_s > SILENCE_S;
-    return stop_asked != 0 || self->no_memory || self->log->ended || silent ||
+    return exk_stop_signal() != 0 || self->no_memory || self->log->ended || silent ||
            (seconds > 0.0 && now - begin_s > seconds);
 }
 
@@ -88,14 +63,14 @@ static void drain(exk_bus *bus, const listener *self)
 
 static void follow(exk_bus *bus, listener *self, double seconds, bool progress)
 {
-    const double begin_s = now_s();
+    const double begin_s = exk_now_s();
     double shown_s = 0.0;
     while (!is_over(self, begin_s, seconds)) {
         if (exk_bus_wait(bus, WAIT_MS) < 0) {
             break;
         }
-        if (progress && now_s() - shown_s > 1.0 / LINES_PER_S) {
-            shown_s = now_s();
+        if (progress && exk_now_s() - shown_s > 1.0 / LINES_PER_S) {
+            shown_s = exk_now_s();
             show_progress(self->log, false);
         }
     }
@@ -122,8 +97,8 @@ int hole_live_listen(exk_run_log *log, const char *url, double seconds, bool qui
     if (!quiet) {
         fprintf(stderr, "exk-holes: listening on %s\n", url);
     }
-    catch_signals();
-    follow(bus, &self, seconds, !quiet && exk_is_terminal(stderr));
+    exk_stop_catch();
+    follow(bus, &self, seconds, !quiet && exk_progress_wanted());
     exk_bus_close(bus);
     if (self.no_memory) {
         snprintf(why, why_size, "%s: out of memory after %zu samples", url, log->n_samples);

@@ -1,11 +1,12 @@
 #define _POSIX_C_SOURCE 200809L
 #include <inttypes.h>
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "exk/progress_line.h"
 #include "exk/series.h"
+#include "exk/stop_signal.h"
 #include "exk/store.h"
 #include "exk/units.h"
 #include "ilc_tool.h"
@@ -18,22 +19,22 @@ typedef struct {
     exk_series series;
     json_t *rows; /* NULL: a table */
     uint32_t p;   /* the next run */
+    bool progress;
 } training;
 
-static volatile sig_atomic_t stopped;
-
-static void on_signal(int number)
+/* A table on the terminal is progress enough; rows that go elsewhere, or come at the end, are not. */
+static void show_progress(const training *t)
 {
-    stopped = number;
+    if (t->progress) {
+        exk_progress_show("exk-ilc: run %" PRIu32 " of %" PRIu32, t->p, t->options->n_runs);
+    }
 }
 
-/* A run takes a moment: the one that is under way ends, and what was learned so far is kept. */
-static void take_signals(void)
+static void end_progress(const training *t)
 {
-    struct sigaction action = {.sa_handler = on_signal};
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
+    if (t->progress) {
+        exk_progress_clear();
+    }
 }
 
 static void tell(training *t, const exk_accuracy *accuracy)
@@ -67,7 +68,9 @@ static int iterate(training *t, double *last_mm)
     exk_accuracy accuracy;
     const exk_realisation which = {
         .seed = t->rig.profile.timing.seed, .series = t->options->series, .run = t->p};
+    show_progress(t);
     exk_err err = exk_series_run(&t->series, which, &accuracy);
+    end_progress(t);
     if (err != EXK_OK) {
         return run_failed(t, err);
     }
@@ -94,7 +97,7 @@ static int iterate(training *t, double *last_mm)
 static int say_stopped(const training *t)
 {
     fprintf(stderr, "exk-ilc: stopped by %s after run %" PRIu32 " of %" PRIu32 "\n",
-            strsignal(stopped), t->p - 1, t->options->n_runs);
+            strsignal(exk_stop_signal()), t->p - 1, t->options->n_runs);
     return ILC_MISSED;
 }
 
@@ -104,11 +107,12 @@ static int run_series(training *t)
     int code = ILC_GOOD;
     const double until_mm = t->options->until_mm;
     bool reached = false;
-    while (code == ILC_GOOD && t->p <= t->options->n_runs && !reached && stopped == 0) {
+    while (code == ILC_GOOD && t->p <= t->options->n_runs && !reached &&
+           exk_stop_signal() == 0) {
         code = iterate(t, &last_mm);
         reached = until_mm > 0.0 && last_mm < until_mm;
     }
-    if (code == ILC_GOOD && stopped != 0 && t->p <= t->options->n_runs && !reached) {
+    if (code == ILC_GOOD && exk_stop_signal() != 0 && t->p <= t->options->n_runs && !reached) {
         return say_stopped(t);
     }
     if (code == ILC_GOOD && until_mm > 0.0 && !reached) {
@@ -181,8 +185,12 @@ static int train_open(training *t)
 
 int ilc_train(const ilc_options *options)
 {
-    training t = {.options = options, .p = 1};
-    take_signals();
+    training t = {.options = options,
+                  .p = 1,
+                  .progress =
+                      exk_progress_wanted() && (options->json || isatty(STDOUT_FILENO) != 1)};
+    /* A run takes a moment: the one under way ends, and what was learned so far is kept. */
+    exk_stop_catch();
     int code = exk_rig_open(&t.rig, options->input);
     if (code == ILC_GOOD && t.rig.from == EXK_FROM_BUS) {
         fprintf(stderr,

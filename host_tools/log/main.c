@@ -7,12 +7,13 @@
 #include "bus_url.h"
 #include "exk/bus.h"
 #include "exk/log.h"
+#include "exk/plural.h"
+#include "exk/progress_line.h"
 #include "options.h"
 #include "path_picture.h"
 #include "poses_csv.h"
 #include "record.h"
 #include "report.h"
-#include "terminal.h"
 
 enum { WHY_MAX = 1024, GAPS_SHOWN = 5 };
 
@@ -21,6 +22,7 @@ typedef struct {
     exk_out csv;
     bool has_csv;
     bool quiet;
+    bool on_progress; /* a line of progress stands where a note goes */
     int64_t next_seq; /* -1: none seen */
     int n_gaps;
 } pose_sink;
@@ -43,8 +45,11 @@ static void note_gap(pose_sink *sink, const exk_wire_pose *pose)
     if (sink->quiet || sink->n_gaps > GAPS_SHOWN) {
         return;
     }
-    fprintf(stderr, "exk-log: %" PRId64 " samples lost before k %" PRId64 " (%.3f s)%s\n", n,
-            pose->sample.k, 1e-6 * (double)pose->sample.time_us,
+    if (sink->on_progress) {
+        exk_progress_clear();
+    }
+    fprintf(stderr, "exk-log: %" PRId64 " sample%s lost before k %" PRId64 " (%.3f s)%s\n", n,
+            exk_plural_s(n), pose->sample.k, 1e-6 * (double)pose->sample.time_us,
             sink->n_gaps == GAPS_SHOWN ? "; further gaps are only counted" : "");
 }
 
@@ -81,7 +86,7 @@ static int record(const log_options *opt, exk_run_log *log, record_result *resul
                                     .url = url,
                                     .seconds = opt->seconds,
                                     .until_done = opt->until_done,
-                                    .progress = !opt->quiet && exk_is_terminal(stderr)};
+                                    .progress = !opt->quiet && exk_progress_wanted()};
     if (!opt->quiet) {
         warn_of_small_buffer();
         fprintf(stderr, "exk-log: listening on %s\n", url);
@@ -187,6 +192,7 @@ int main(int argc, char **argv)
     pose_sink sink = {.next_seq = -1};
     log_options_parse(argc, argv, &opt);
     sink.quiet = opt.quiet;
+    sink.on_progress = opt.from == NULL && exk_progress_wanted();
     if (opt.csv_path != NULL) {
         const int refused = poses_csv_open(&sink.csv, opt.csv_path, why, sizeof why);
         if (refused != 0) {

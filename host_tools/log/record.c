@@ -1,23 +1,21 @@
-#define _POSIX_C_SOURCE 200809L
 #include "record.h"
 
 #include <inttypes.h>
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
 #include "exk/bus.h"
 #include "exk/event_file.h"
+#include "exk/progress_line.h"
+#include "exk/stop_signal.h"
 #include "exk/wire.h"
+#include "now.h"
 
 enum { WAIT_MS = 100, BAR = 24 };
 static const double show_s = 0.2;    /* between two lines of progress */
 static const double flush_s = 0.5;   /* between two flushes of the log */
 static const double settle_s = 1.0;  /* after the end, for what is still on its way */
 static const double silence_s = 5.0; /* a status comes ten times a second: then it is dead */
-
-static volatile sig_atomic_t stop_asked; /* written by the signal handler only */
 
 typedef struct {
     const record_request *request;
@@ -34,31 +32,11 @@ typedef struct {
     double flushed_s;
 } recorder;
 
-static void on_signal(int number)
-{
-    stop_asked = number;
-}
-
-static void catch_signals(void)
-{
-    struct sigaction action = {.sa_handler = on_signal};
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-}
-
-static double now_s(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 static void on_message(void *ctx, const char *channel, const void *data, size_t bytes,
                        int64_t received_us)
 {
     recorder *self = ctx;
-    self->heard_s = now_s();
+    self->heard_s = exk_now_s();
     self->first_s = self->first_s > 0.0 ? self->first_s : self->heard_s;
     if (!exk_event_writer_add(self->writer, received_us, channel, data, bytes)) {
         self->failed = true;
@@ -88,13 +66,12 @@ static void show(recorder *self, double now)
     self->shown_s = now;
     self->shown_poses = log->n_poses;
     if (log->n_poses == 0) {
-        fputs("\rexk-log: waiting for a run ", stderr);
+        exk_progress_show("exk-log: waiting for a run");
     } else {
         bar(drawn, log->last_k, log->n_ticks);
-        fprintf(stderr, "\rexk-log: [%s] %" PRId64 " samples, %.0f/s, %" PRId64 " lost   ",
-                drawn, log->n_poses, rate, log->n_lost);
+        exk_progress_show("exk-log: %" PRId64 " lost, %.0f/s, %" PRId64 " samples [%s]",
+                          log->n_lost, rate, log->n_poses, drawn);
     }
-    fflush(stderr);
 }
 
 static void flush_log(recorder *self, double now)
@@ -108,7 +85,7 @@ static void flush_log(recorder *self, double now)
 static bool is_over(const recorder *self, double now, record_end *end)
 {
     const record_request *request = self->request;
-    if (stop_asked != 0) {
+    if (exk_stop_signal() != 0) {
         *end = RECORD_STOPPED;
         return true;
     }
@@ -128,20 +105,20 @@ static bool is_over(const recorder *self, double now, record_end *end)
 /* What LCM has received is recorded, whatever ended the wait; a run that goes on is not waited for. */
 static void drain(exk_bus *bus)
 {
-    const double begin = now_s();
-    while (exk_bus_wait(bus, 0) > 0 && now_s() - begin < settle_s) {
+    const double begin = exk_now_s();
+    while (exk_bus_wait(bus, 0) > 0 && exk_now_s() - begin < settle_s) {
     }
 }
 
 static void follow(recorder *self, exk_bus *bus, record_result *out)
 {
-    double now = now_s();
+    double now = exk_now_s();
     self->begin_s = self->shown_s = self->flushed_s = now;
     while (!is_over(self, now, &out->end) && !self->failed && !self->no_memory) {
         if (exk_bus_wait(bus, WAIT_MS) < 0) {
             break;
         }
-        now = now_s();
+        now = exk_now_s();
         flush_log(self, now);
         if (self->request->progress && now - self->shown_s > show_s) {
             show(self, now);
@@ -151,7 +128,7 @@ static void follow(recorder *self, exk_bus *bus, record_result *out)
         drain(bus);
     }
     if (self->request->progress) {
-        show(self, now_s());
+        show(self, exk_now_s());
         fputc('\n', stderr);
     }
     out->seconds = self->heard_s - self->first_s;
@@ -199,7 +176,7 @@ int record_bus(exk_run_log *log, const record_request *request, record_result *o
     if (!open_both(&self, &bus, why, why_size)) {
         return 3;
     }
-    catch_signals();
+    exk_stop_catch();
     follow(&self, bus, out);
     exk_bus_close(bus);
     return finish(&self, out, why, why_size);

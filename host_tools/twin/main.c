@@ -1,33 +1,18 @@
 /** exk-twin: the machine in a process of its own. See options.c for its use. */
 #define _POSIX_C_SOURCE 200809L
 #include <inttypes.h>
-#include <signal.h>
 #include <stdio.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
 #include "exk/realtime.h"
 #include "exk/solo.h"
+#include "exk/stop_signal.h"
 #include "exk/store.h"
 #include "options.h"
 #include "server.h"
 
 enum { EXIT_INPUT = 2, EXIT_IO = 3, WAIT_MS = 200 };
-
-static volatile sig_atomic_t stop_signal;
-
-static void on_signal(int number)
-{
-    stop_signal = number;
-}
-
-static void catch_signals(void)
-{
-    struct sigaction action = {.sa_handler = on_signal};
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-}
 
 static int complain(int code, const char *why)
 {
@@ -44,7 +29,7 @@ static int64_t own_id(void)
 
 static int serve(const twin_options *options, twin_server *server)
 {
-    while (stop_signal == 0 && !(options->once && server->over)) {
+    while (exk_stop_signal() == 0 && !(options->once && server->over)) {
         if (exk_bus_wait(server->bus, WAIT_MS) < 0) {
             return complain(EXIT_IO,
                             "the bus cannot be read any more: exk-doctor finds out why");
@@ -82,7 +67,7 @@ int main(int argc, char **argv)
     twin_options options;
     exk_rig rig;
     twin_options_parse(argc, argv, &options);
-    catch_signals();
+    exk_stop_catch();
     int code = exk_rig_open(&rig, options.profile_path);
     if (code == 0) {
         code = run(&options, &rig);

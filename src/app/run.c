@@ -13,30 +13,13 @@
 #include "exk/input.h"
 #include "exk/realtime.h"
 #include "exk/solo.h"
+#include "exk/stop_signal.h"
 #include "exk/telemetry.h"
 #include "summary.h"
 #include "ticks.h"
 
 enum { EXIT_ENDED_EARLY = 1, EXIT_INPUT = 2, EXIT_IO = 3 };
 enum { LISTEN_MS = 200 };
-
-static volatile sig_atomic_t stop_signal;
-
-static void on_signal(int number)
-{
-    stop_signal = number;
-}
-
-static void catch_signals(void)
-{
-    struct sigaction action = {.sa_handler = on_signal};
-    sigemptyset(&action.sa_mask);
-    stop_signal = 0;
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    sigaction(SIGHUP, &action, NULL); /* the terminal was closed */
-    signal(SIGPIPE, SIG_IGN);
-}
 
 static int64_t now_ns(void)
 {
@@ -223,7 +206,7 @@ static int finish(const loop_options *options, loop_ticks *r)
         .record = &r->record,
         .k_fault = r->k_fault,
         .n_missed = r->pacer.n_missed,
-        .signal = stop_signal,
+        .signal = exk_stop_signal(),
         .has_log = options->record_path != NULL && summary.file_ok,
         .on_link = r->link != NULL && !r->fast,
         .took_commands = r->inbox != NULL,
@@ -234,7 +217,7 @@ static int finish(const loop_options *options, loop_ticks *r)
     if (!summary.bus_ok || !summary.file_ok) {
         return EXIT_IO; /* the publisher said why when it happened */
     }
-    return stop_signal != 0 || r->k_fault >= 0 ? EXIT_ENDED_EARLY : 0;
+    return exk_stop_signal() != 0 || r->k_fault >= 0 ? EXIT_ENDED_EARLY : 0;
 }
 
 static void close_bus(loop_ticks *r)
@@ -311,12 +294,13 @@ int loop_run(const loop_options *options, exk_rig *rig, const exk_store *store)
     exk_run_info info;
     const exk_realisation which = {
         .seed = rig->profile.timing.seed, .series = options->series, .run = options->run};
-    r = (loop_ticks){.rig = rig, .fast = options->fast, .stop_signal = &stop_signal};
+    r = (loop_ticks){.rig = rig, .fast = options->fast};
     if (options->source != NULL) { /* the profile's text stays, so that logs can be compared */
         rig->from = strcmp(options->source, "bus") == 0 ? EXK_FROM_BUS : EXK_FROM_TWIN;
     }
     describe(options, &r, which, &info);
-    catch_signals();
+    exk_stop_catch();
+    signal(SIGPIPE, SIG_IGN);
     const int code = open_all(options, &r, &info, store);
     return code != 0 ? code : run_ticks(options, &r, &info);
 }

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "exk/stop_signal.h"
+
 static const double publish_after_fault_s =
     0.5; /* the command at rest goes on being published */
 
@@ -32,7 +34,7 @@ static bool is_over(const loop_ticks *t, int64_t k)
 {
     const double rested_s = (double)(k - t->k_rest) * t->rig->plan.cfg.dt_s;
     const bool rested = t->k_rest >= 0 && rested_s >= publish_after_fault_s;
-    return *t->stop_signal != 0 || t->rig->loop.sm.state == EXK_STATE_DONE ||
+    return exk_stop_signal() != 0 || t->rig->loop.sm.state == EXK_STATE_DONE ||
            (rested && t->inbox == NULL);
 }
 

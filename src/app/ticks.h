@@ -7,8 +7,6 @@
 #ifndef EXK_LOOP_TICKS_H
 #define EXK_LOOP_TICKS_H
 
-#include <signal.h>
-
 #include "exk/command.h"
 #include "exk/link.h"
 #include "exk/realtime.h"
@@ -21,8 +19,7 @@ typedef struct {
     exk_publisher *publisher;
     exk_link *link;   /* NULL: the machine is in the process, or a log */
     exk_inbox *inbox; /* NULL: no commands */
-    const volatile sig_atomic_t *stop_signal;
-    exk_clock clock; /* of the ticks; none given: CLOCK_MONOTONIC */
+    exk_clock clock;  /* of the ticks; none given: CLOCK_MONOTONIC */
     exk_pacer pacer;
     exk_histogram lateness;
     exk_histogram step_time;

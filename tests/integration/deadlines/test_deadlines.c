@@ -30,7 +30,6 @@ static struct {
 
 static loop_ticks ticks;
 static exk_rig rig;
-static volatile sig_atomic_t no_signal;
 
 static int64_t fake_now(void *ctx)
 {
@@ -99,9 +98,8 @@ static void run(void)
     TEST_ASSERT_EQUAL(EXK_OK, exk_rig_start(&rig, which, NULL, 0));
     twin = rig.loop.cfg.source;
     rig.loop.cfg.source = (exk_source){.exchange = watch, .ctx = &twin};
-    ticks = (loop_ticks){.rig = &rig,
-                         .stop_signal = &no_signal,
-                         .clock = {.now_ns = fake_now, .sleep_until_ns = fake_sleep}};
+    ticks =
+        (loop_ticks){.rig = &rig, .clock = {.now_ns = fake_now, .sleep_until_ns = fake_sleep}};
     ticks.publisher = exk_publisher_start(&info, why, sizeof why);
     TEST_ASSERT_NOT_NULL_MESSAGE(ticks.publisher, why);
     loop_ticks_run(&ticks);
