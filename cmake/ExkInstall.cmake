@@ -46,7 +46,9 @@ if(HELP2MAN AND NOT EXK_INSTRUMENTED AND NOT CMAKE_CROSSCOMPILING)
             COMMAND ${CMAKE_COMMAND} -E env ARGP_HELP_FMT=rmargin=200 ${HELP2MAN} --no-info --section=1 --manual=exk
                 --include=${about}
                 --output=${page} ${PROJECT_BINARY_DIR}/bin/${program}
-            DEPENDS ${program} ${about} VERBATIM)
+            COMMAND sh ${CMAKE_CURRENT_LIST_DIR}/man/examples.sh
+                ${PROJECT_BINARY_DIR}/bin/${program} ${page}
+            DEPENDS ${program} ${about} ${CMAKE_CURRENT_LIST_DIR}/man/examples.sh VERBATIM)
         list(APPEND pages ${page})
     endforeach()
     add_custom_target(man_pages ALL DEPENDS ${pages})

@@ -36,7 +36,7 @@ static const char doc[] =
     "vector), unreachable, singular, beyond limit, no convergence. An empty cell of\n"
     "the input is such a row too, so results can be piped on.\n"
     "\n"
-    "Example:\n"
+    "Examples:\n"
     "  printf 'x_m,y_m,z_m\\n0,0,0.95\\n' | exk-kin inverse --model tripod\n"
     "  exk-kin inverse --model tripod < poses.csv | exk-kin forward --model tripod\n"
     "\n"

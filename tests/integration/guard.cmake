@@ -20,6 +20,8 @@ get_property(programs GLOBAL PROPERTY EXK_PROGRAMS)
 foreach(program ${programs})
     exk_script_test(integration test_options_${program} ${guard}/options.sh
         ARGS ${PROJECT_BINARY_DIR}/bin/${program} ${PROJECT_VERSION})
+    exk_script_test(integration test_man_${program} ${guard}/man.sh
+        ARGS ${PROJECT_BINARY_DIR}/bin/${program} ${PROJECT_BINARY_DIR}/man/${program}.1)
 endforeach()
 
 exk_script_test(integration test_pages_are_there ${guard}/pages.sh ARGS ${PROJECT_SOURCE_DIR})
