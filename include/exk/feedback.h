@@ -36,6 +36,9 @@ void exk_feedback_step(exk_feedback *fb, const double error_rad[EXK_N_AXES],
  *  a derivative does not kick. Everything else goes on as it was. */
 void exk_feedback_rejoin(exk_feedback *fb, const double error_rad[EXK_N_AXES]);
 
+/** Goes on from this correction, finite, as if the error before were not known: the derivative does not kick. */
+void exk_feedback_preset(exk_feedback *fb, const double correction_rad[EXK_N_AXES]);
+
 const char *exk_feedback_name(exk_feedback_kind kind); /* never NULL */
 
 #endif

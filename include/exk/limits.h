@@ -35,6 +35,7 @@ typedef enum {
     EXK_QUANTITY_POSE,       /* no pose of the mechanism meets the command */
     EXK_QUANTITY_SAMPLES,    /* rejected sensor samples in a row */
     EXK_QUANTITY_DEADLINES,  /* missed deadlines in a row */
+    EXK_QUANTITY_CLOCK,      /* waits in a row that did not meet their tick */
     EXK_QUANTITY_COUNT
 } exk_quantity;
 

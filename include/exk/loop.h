@@ -3,8 +3,9 @@
  *  r[k] = IK(p_ref[k]);  q[k] = r[k] + c[k] + u[k];  (m, theta) = source(q);  e[k] = r[k] - m[k];
  *  c[k+1] = feedback(e[k]);  p_est = FK(m);  p_true = FK(theta)     (docs/step.md)
  *  The machine model takes legs from (q, h of r) and the wrist from r, never from q.
- *  States  state.h. The first step starts by itself unless waits is set. HOLD slows down along the path
- *          and goes on controlling position; start goes on from there, sample for sample.
+ *  States  state.h. The first step starts by itself unless waits is set; after clear only start does,
+ *          and the correction goes on from the one in the command that stands. HOLD slows down along
+ *          the path and goes on controlling position; start goes on from there, sample for sample.
  *  Guard   guard.h. A rejected sample is counted; m and the correction of the last good sample are
  *          held. After a gap the correction goes on from the held one: no kick from the derivative.
  *          n_bad_max in a row are a fault.
@@ -99,7 +100,8 @@ bool exk_loop_moves(const exk_loop *loop);
  *  when the state does not take it; clear waits for the end of the way out of the part. */
 bool exk_loop_request(exk_loop *loop, exk_cause cause, int64_t k);
 
-/** A fault from outside (missed deadlines); the first fault stays. */
+/** A fault from outside (missed deadlines). The first fault stays; what moves under it, on its way out,
+ *  stays where it is. */
 void exk_loop_fail(exk_loop *loop, const exk_fault_report *report);
 
 /** The tick on which the plan ends, as things are: later than n_ticks - 1 after a hold. */

@@ -4,8 +4,9 @@
  *  Wait     clock_nanosleep to the absolute time, then an optional spin of the last part.
  *  Missed   a tick whose whole period has passed is skipped, also when that was overslept: next tick = the
  *           first not yet past. So at most one tick is run in a period: no burst to catch up.
- *  Stands   a clock that does not reach the tick although EXK_PACER_TRIES sleeps came back, or that spins
- *           without moving, stands: the tick is handed out, marked so, and is not to be acted on.
+ *  Unmet    where EXK_PACER_TRIES sleeps came back and the clock was short of the tick each time, or past
+ *           the whole period of each tick tried, or where it does not move while it is looked at: the tick
+ *           is handed out, marked so, and is not to be acted on.
  *  Clock    injected (exk_clock), so that the policy is tested without wall time.
  *  Figures  fixed bins, four a factor of two from 64 ns up, relaxed atomics: one writer, any reader.
  *  Memory   plain structs, no allocation.
@@ -39,9 +40,9 @@ typedef struct {
     int64_t spin_ns;
     int64_t k;            /* tick last waited for, -1 before the first */
     int64_t n_missed;     /* ticks skipped in all */
-    int64_t n_missed_row; /* ticks skipped just before this one */
+    int64_t n_missed_row; /* ticks skipped since one was met without a skip before it */
     int64_t lateness_ns;  /* of the last tick */
-    bool stands;          /* the clock did not get there */
+    bool unmet;           /* the clock did not get there, or never in time */
 } exk_pacer;
 
 void exk_pacer_start(exk_pacer *pacer, exk_clock clock, int64_t period_ns, int64_t spin_ns);

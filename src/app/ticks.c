@@ -108,11 +108,14 @@ static void take_commands(loop_ticks *t, int64_t k)
 
 static void check_deadlines(loop_ticks *t, int64_t k)
 {
-    const int n_max = t->rig->profile.timing.n_missed_max;
-    if (t->pacer.n_missed_row >= n_max || t->pacer.stands) {
+    const exk_pacer *pacer = &t->pacer;
+    const double missed_max = t->rig->profile.timing.n_missed_max;
+    const double missed = (double)pacer->n_missed_row;
+    if (missed >= missed_max || pacer->unmet) {
         const exk_sample *last = &t->rig->loop.last;
-        const exk_violation what = {EXK_QUANTITY_DEADLINES, -1, (double)t->pacer.n_missed_row,
-                                    (double)n_max};
+        const exk_violation clock = {EXK_QUANTITY_CLOCK, -1, EXK_PACER_TRIES, EXK_PACER_TRIES};
+        const exk_violation row = {EXK_QUANTITY_DEADLINES, -1, missed, missed_max};
+        const exk_violation what = missed >= missed_max ? row : clock;
         const exk_fault_report report = {.cause = EXK_CAUSE_OVERRUN,
                                          .err = EXK_ERR_OVERRUN,
                                          .what = what,

@@ -44,6 +44,14 @@ void exk_feedback_rejoin(exk_feedback *fb, const double error_rad[EXK_N_AXES])
     }
 }
 
+void exk_feedback_preset(exk_feedback *fb, const double correction_rad[EXK_N_AXES])
+{
+    for (int i = 0; i < EXK_N_AXES; i++) {
+        exk_pid_preset(&fb->pid[i], correction_rad[i], 0.0);
+        fb->pid[i].has_last = false;
+    }
+}
+
 const char *exk_feedback_name(exk_feedback_kind kind)
 {
     static const char *const names[EXK_FEEDBACK_COUNT] = {

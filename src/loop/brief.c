@@ -17,7 +17,7 @@ exk_err exk_waypoints(const exk_plan *plan, const exk_kin *kin, exk_waypoint *ou
 static bool is_plain(exk_loop *loop, int64_t k)
 {
     const exk_motion *m = &loop->motion;
-    if (loop->sm.state == EXK_STATE_IDLE && !loop->cfg.waits) {
+    if (loop->sm.cause == EXK_CAUSE_READY && !loop->cfg.waits) {
         exk_state_take(&loop->sm, EXK_CAUSE_START, k);
     }
     return loop->sm.state == EXK_STATE_RUN && loop->fault == EXK_OK &&

@@ -96,7 +96,9 @@ static void begin_fault(exk_loop *loop, const exk_fault_report *report)
 
 void exk_loop_fail(exk_loop *loop, const exk_fault_report *report)
 {
-    if (loop->fault == EXK_OK && exk_state_take(&loop->sm, report->cause, report->k)) {
+    if (loop->fault != EXK_OK) {
+        exk_motion_freeze(&loop->motion); /* on the way out as well */
+    } else if (exk_state_take(&loop->sm, report->cause, report->k)) {
         begin_fault(loop, report);
     }
 }
@@ -115,10 +117,15 @@ static bool abort_run(exk_loop *loop, int64_t k)
     return taken;
 }
 
-/* What was known of the machine before the fault is not known any more; the command stands. */
+/* What was known of the machine before the fault is not known any more; the command stands, and the
+ * correction goes on from the one in it: what broke a limit would break it again. */
 static void forget_fault(exk_loop *loop)
 {
     loop->fault = EXK_OK;
+    exk_feedback_preset(&loop->feedback, loop->last.c_rad);
+    for (int i = 0; i < EXK_N_AXES; i++) {
+        loop->c_rad[i] = loop->last.c_rad[i];
+    }
     loop->report = (exk_fault_report){.k = -1, .hole_id = -1};
     loop->n_bad_row = 0;
     exk_guard_forget(&loop->guard);
@@ -186,7 +193,6 @@ static void fail_step(exk_loop *loop, exk_cause cause, exk_err err, const exk_vi
                                      .hole_id = loop->open.hole_id};
     loop->is_open = false;
     exk_loop_fail(loop, &report);
-    exk_motion_freeze(&loop->motion); /* on the way out as well */
 }
 
 exk_err exk_loop_command(exk_loop *loop, int64_t k, exk_drive *drive)
@@ -198,8 +204,9 @@ exk_err exk_loop_command(exk_loop *loop, int64_t k, exk_drive *drive)
         return EXK_ERR_ARG;
     }
     loop->open.k = k;
-    if (loop->sm.state == EXK_STATE_IDLE && !loop->cfg.waits) {
-        exk_state_take(&loop->sm, EXK_CAUSE_START, k);
+    if (loop->sm.cause == EXK_CAUSE_READY && !loop->cfg.waits) {
+        exk_state_take(&loop->sm, EXK_CAUSE_START,
+                       k); /* after clear it is for a person to say */
     }
     const bool at_rest = loop->fault != EXK_OK && exk_motion_is_over(&loop->motion);
     if (loop->sm.state == EXK_STATE_IDLE || at_rest) {

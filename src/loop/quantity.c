@@ -31,6 +31,8 @@ static const struct {
     [EXK_QUANTITY_DEADLINES] = {"missed deadlines in a row", "", NO_PART,
                                 "grant real-time rights, lower [loop] rate_Hz, or end other "
                                 "programs"},
+    [EXK_QUANTITY_CLOCK] = {"waits in a row that did not meet their tick", "", NO_PART,
+                            "lower [loop] rate_Hz, or look at the clock of this host"},
 };
 
 static const char *const parts[][EXK_N_LEGS] = {

@@ -77,20 +77,23 @@ static int64_t wait_until(const exk_pacer *pacer, int64_t due_ns, int64_t now_ns
     return there && pacer->spin_ns > 0 ? spin_until(pacer, due_ns, woken_ns) : woken_ns;
 }
 
-/* The first tick that is reached within its own period: one that was overslept is missed too. */
+/* The first tick that is reached within its own period: one that was overslept is missed too. Where each
+ * is overslept, as by a period below what the host's timers can do, the search ends. */
 int64_t exk_pacer_next(exk_pacer *pacer)
 {
     const int64_t before = pacer->k;
     int64_t now_ns = pacer->clock.now_ns(pacer->clock.ctx);
+    int n_tries = 0;
     do {
         pacer->k = choose(pacer, now_ns);
         const int64_t due_ns = pacer->t0_ns + pacer->k * pacer->period_ns;
         now_ns = wait_until(pacer, due_ns, now_ns);
         pacer->lateness_ns = now_ns - due_ns;
-    } while (pacer->lateness_ns >= pacer->period_ns);
+        n_tries++;
+    } while (pacer->lateness_ns >= pacer->period_ns && n_tries < EXK_PACER_TRIES);
     const int64_t missed = pacer->k - (before + 1);
     pacer->n_missed += missed;
     pacer->n_missed_row = missed > 0 ? pacer->n_missed_row + missed : 0;
-    pacer->stands = pacer->lateness_ns < 0;
+    pacer->unmet = pacer->lateness_ns < 0 || pacer->lateness_ns >= pacer->period_ns;
     return pacer->k;
 }

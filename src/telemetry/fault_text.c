@@ -52,6 +52,7 @@ static void say_what(const exk_fault_report *r, char out[WHAT_SIZE])
     case EXK_QUANTITY_WORKSPACE:
     case EXK_QUANTITY_FOLLOWING:
     case EXK_QUANTITY_DEADLINES:
+    case EXK_QUANTITY_CLOCK:
         break;
     }
     say_quantity(r, out);

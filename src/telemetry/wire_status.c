@@ -48,7 +48,7 @@ _Static_assert(sizeof(((exk_status_t *)0)->n_samples) ==
 _Static_assert(EXK_STATUS_T_SOURCE == (int)EXK_CAUSE_SOURCE &&
                    EXK_STATUS_T_SPIKE_SAMPLE == (int)EXK_SAMPLE_SPIKE &&
                    EXK_STATUS_T_OUT == (int)EXK_MOTION_OUT &&
-                   EXK_STATUS_T_Q_DEADLINES == (int)EXK_QUANTITY_DEADLINES,
+                   EXK_STATUS_T_Q_CLOCK == (int)EXK_QUANTITY_CLOCK,
                "causes, samples, motions and quantities on the wire");
 
 static void pack_loop(exk_status_t *m, const exk_loop_report *loop)

@@ -94,6 +94,25 @@ static void reset_begins_again(void)
     TEST_ASSERT_TRUE(first[EXK_BETA] == again[EXK_BETA]);
 }
 
+/* As one that had that correction and knows no error before: the derivative sees no step. */
+static void preset_goes_on_from_a_correction(void)
+{
+    exk_feedback_config cfg = pid_of(0.25, 0.5);
+    cfg.pid.kd = 1e-4;
+    exk_feedback fb;
+    const double error[EXK_N_AXES] = {0.04, -0.02};
+    const double held[EXK_N_AXES] = {0.01, -0.03};
+    double c[EXK_N_AXES];
+    TEST_ASSERT_EQUAL(EXK_OK, exk_feedback_init(&fb, &cfg));
+    exk_feedback_step(&fb, error, c);
+    exk_feedback_preset(&fb, held);
+    exk_feedback_step(&fb, error, c);
+    for (int i = 0; i < EXK_N_AXES; i++) {
+        const double want = held[i] + (0.25 + 0.5 * cfg.pid.dt_s) * error[i];
+        TEST_ASSERT_DOUBLE_WITHIN(1e-15, want, c[i]);
+    }
+}
+
 static void every_kind_has_a_name_of_its_own(void)
 {
     TEST_ASSERT_EQUAL_STRING("none", exk_feedback_name(EXK_FEEDBACK_NONE));
@@ -109,6 +128,7 @@ int main(void)
     RUN_TEST(none_gives_no_correction);
     RUN_TEST(pid_serves_each_angle_alone);
     RUN_TEST(reset_begins_again);
+    RUN_TEST(preset_goes_on_from_a_correction);
     RUN_TEST(every_kind_has_a_name_of_its_own);
     return UNITY_END();
 }

@@ -222,6 +222,49 @@ static void clear_waits_for_the_end_of_the_way_out(void)
     steps_until_over();
     TEST_ASSERT_EQUAL(EXK_PHASE_RETRACT, sample.phase);
     TEST_ASSERT_TRUE(exk_loop_request(&loop, EXK_CAUSE_CLEAR, loop.motion.k + 1));
+    TEST_ASSERT_TRUE(exk_loop_request(&loop, EXK_CAUSE_START, loop.motion.k + 1));
+    steps_until_over();
+    TEST_ASSERT_EQUAL(EXK_STATE_DONE, loop.sm.state);
+}
+
+/* A run that began by itself does not go on by itself. */
+static void clear_alone_moves_nothing(void)
+{
+    step_to(middle_of(EXK_PHASE_TRAVEL));
+    exk_loop_request(&loop, EXK_CAUSE_ABORT, loop.motion.k + 1);
+    step();
+    const int n_calls = fake.n_calls;
+    TEST_ASSERT_TRUE(exk_loop_request(&loop, EXK_CAUSE_CLEAR, loop.motion.k + 1));
+    for (int i = 0; i < 50; i++) {
+        TEST_ASSERT_EQUAL(EXK_OK, step());
+        TEST_ASSERT_EQUAL(EXK_STATE_IDLE, loop.sm.state);
+    }
+    TEST_ASSERT_EQUAL_INT(n_calls, fake.n_calls);
+    TEST_ASSERT_TRUE(exk_loop_request(&loop, EXK_CAUSE_START, loop.motion.k + 1));
+    steps_until_over();
+    TEST_ASSERT_EQUAL(EXK_STATE_DONE, loop.sm.state);
+}
+
+/* The correction that broke a limit is not tried again after clear. */
+static void after_clear_the_correction_of_the_last_command_goes_on(void)
+{
+    cfg.feedback.pid.kp = 0.5;
+    cfg.feedback.pid.kd = 1e-4;
+    cfg.limits.correction_max_rad = 1e-3;
+    restart();
+    fake.off_rad = 1e-4;
+    step_to(100);
+    fake.off_rad = 0.01;
+    step();
+    const double c_rad = sample.c_rad[0];
+    TEST_ASSERT_EQUAL(EXK_ERR_LIMIT, step());
+    TEST_ASSERT_EQUAL(EXK_QUANTITY_CORRECTION, loop.report.what.quantity);
+    fake.off_rad = 0.0;
+    TEST_ASSERT_TRUE(exk_loop_request(&loop, EXK_CAUSE_CLEAR, loop.motion.k + 1));
+    TEST_ASSERT_TRUE(exk_loop_request(&loop, EXK_CAUSE_START, loop.motion.k + 1));
+    TEST_ASSERT_EQUAL(EXK_OK, step());
+    TEST_ASSERT_TRUE(c_rad != 0.0);
+    TEST_ASSERT_EQUAL_DOUBLE(c_rad, sample.c_rad[0]);
     steps_until_over();
     TEST_ASSERT_EQUAL(EXK_STATE_DONE, loop.sm.state);
 }
@@ -269,16 +312,15 @@ static void what_breaks_a_limit_is_not_sent(void)
     TEST_ASSERT_EQUAL_INT(k, fake.n_calls);
 }
 
-static void use_the_machine(void)
+static void use_machine(const exk_geometry *geo)
 {
-    const exk_geometry geo = exk_geometry_default();
     const exk_plan_config plan_cfg = plan.cfg;
     static exk_hole high[N_HOLES]; /* lent: the plan keeps it */
     high[0] = holes[0];
     high[1] = holes[1];
     high[0].target_m[2] = 1.45;
     high[1].target_m[2] = 1.45;
-    TEST_ASSERT_EQUAL(EXK_OK, exk_kin_init(&kin, EXK_KIN_MACHINE, EXK_WRIST_AB, &geo));
+    TEST_ASSERT_EQUAL(EXK_OK, exk_kin_init(&kin, EXK_KIN_MACHINE, EXK_WRIST_AB, geo));
     TEST_ASSERT_EQUAL(EXK_OK,
                       exk_plan_init(&plan, &plan_cfg, high, N_HOLES, segments, SEGMENTS));
 }
@@ -288,7 +330,8 @@ static void a_command_beyond_the_joint_names_the_angle(void)
 {
     static const double big[2] = {0.0, 1.0};
     static const double small[2] = {0.0, 0.0};
-    use_the_machine();
+    const exk_geometry geo = exk_geometry_default();
+    use_machine(&geo);
     for (int axis = 0; axis < EXK_N_AXES; axis++) {
         cfg.u_rad[axis] = big;
         cfg.u_rad[1 - axis] = small;
@@ -300,6 +343,37 @@ static void a_command_beyond_the_joint_names_the_angle(void)
         faulted(EXK_CAUSE_LIMIT, loop.fault, EXK_QUANTITY_ANGLE, 1);
         TEST_ASSERT_EQUAL_INT(axis, loop.report.what.index);
         TEST_ASSERT_DOUBLE_WITHIN(0.05, 1.0, loop.report.what.value);
+    }
+}
+
+/* A stroke that ends 0.1 mm before or after the legs of tick 0, and a correction beyond it. */
+static void a_command_beyond_the_stroke_names_leg_length_and_limit(void)
+{
+    static const double lean[2] = {0.0, 0.25};
+    static const double still[2] = {0.0, 0.0};
+    cfg.u_rad[EXK_ALPHA] = lean;
+    cfg.u_rad[EXK_BETA] = still;
+    cfg.n_u = 2;
+    for (int end = 0; end < 2; end++) {
+        exk_geometry geo = exk_geometry_default();
+        use_machine(&geo);
+        restart();
+        TEST_ASSERT_EQUAL(EXK_OK, step());
+        const double *legs_m = sample.legs_m;
+        const double least_m = fmin(legs_m[0], fmin(legs_m[1], legs_m[2]));
+        const double most_m = fmax(legs_m[0], fmax(legs_m[1], legs_m[2]));
+        geo.l_min_m = end == 0 ? least_m - 1e-4 : most_m + 1e-4 - geo.d5_m;
+        use_machine(&geo);
+        restart();
+        TEST_ASSERT_EQUAL(EXK_OK, step());
+        TEST_ASSERT_TRUE(step() != EXK_OK);
+        faulted(EXK_CAUSE_LIMIT, EXK_ERR_LIMIT, EXK_QUANTITY_LEG, 1);
+        const exk_violation *what = &loop.report.what;
+        const double beyond_m =
+            end == 0 ? what->limit - what->value : what->value - what->limit;
+        TEST_ASSERT_DOUBLE_WITHIN(1e-12, geo.l_min_m + (end == 0 ? 0.0 : geo.d5_m),
+                                  what->limit);
+        TEST_ASSERT_TRUE(beyond_m > 1e-3 && beyond_m < 0.1);
     }
 }
 
@@ -389,6 +463,23 @@ static void a_source_that_fails_on_the_way_out_freezes_it(void)
     fake.err = EXK_ERR_END;
     TEST_ASSERT_EQUAL(EXK_ERR_SENSOR, step()); /* the first reason stays */
     TEST_ASSERT_TRUE(exk_loop_is_over(&loop));
+}
+
+/* Missed deadlines on the way out: its timing is in doubt, so it ends where it is. */
+static void a_fault_from_outside_freezes_the_way_out(void)
+{
+    const exk_fault_report report = {.cause = EXK_CAUSE_OVERRUN, .err = EXK_ERR_OVERRUN};
+    step_to(middle_of(EXK_PHASE_DRILL));
+    fake.bad = true;
+    while (loop.motion.mode != EXK_MOTION_RETRACT) {
+        step();
+    }
+    const int n_calls = fake.n_calls;
+    exk_loop_fail(&loop, &report);
+    TEST_ASSERT_EQUAL(EXK_CAUSE_SENSOR, loop.report.cause);
+    TEST_ASSERT_EQUAL(EXK_ERR_SENSOR, step());
+    TEST_ASSERT_TRUE(exk_loop_is_over(&loop));
+    TEST_ASSERT_EQUAL_INT(n_calls, fake.n_calls);
 }
 
 /* A good sample on the way out is shown and corrects nothing. */
@@ -524,15 +615,19 @@ int main(void)
     RUN_TEST(abort_stays_at_once);
     RUN_TEST(clear_leads_back_to_idle_and_the_run_goes_on);
     RUN_TEST(clear_waits_for_the_end_of_the_way_out);
+    RUN_TEST(clear_alone_moves_nothing);
+    RUN_TEST(after_clear_the_correction_of_the_last_command_goes_on);
     RUN_TEST(causes_that_nobody_may_ask_for_are_refused);
     RUN_TEST(what_breaks_a_limit_is_not_sent);
     RUN_TEST(a_command_beyond_the_joint_names_the_angle);
+    RUN_TEST(a_command_beyond_the_stroke_names_leg_length_and_limit);
     RUN_TEST(a_reference_out_of_reach_is_a_fault);
     RUN_TEST(a_leg_at_its_end_is_named);
     RUN_TEST(a_following_error_is_a_fault);
     RUN_TEST(a_measurement_without_a_pose_is_a_fault);
     RUN_TEST(a_truth_without_a_pose_is_no_truth);
     RUN_TEST(a_source_that_fails_on_the_way_out_freezes_it);
+    RUN_TEST(a_fault_from_outside_freezes_the_way_out);
     RUN_TEST(under_a_fault_nothing_is_corrected);
     RUN_TEST(ticks_must_rise);
     RUN_TEST(a_measure_without_a_command_is_refused);

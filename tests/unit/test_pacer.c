@@ -6,6 +6,7 @@ typedef struct {
     int64_t t_ns;
     int n_sleeps;
     int64_t overslept_ns; /* added to the next sleep */
+    bool keeps;           /* and to all after it */
     bool stands;
 } fake_clock;
 
@@ -22,7 +23,7 @@ static void fake_sleep(void *ctx, int64_t t_ns)
         return;
     }
     clock->t_ns = t_ns + clock->overslept_ns;
-    clock->overslept_ns = 0;
+    clock->overslept_ns = clock->keeps ? clock->overslept_ns : 0;
 }
 
 enum { PERIOD = 1000 };
@@ -113,14 +114,30 @@ static void a_tick_that_was_overslept_is_missed(void)
 static void a_clock_that_does_not_get_there_is_said_to_stand(void)
 {
     exk_pacer_next(&pacer);
-    TEST_ASSERT_FALSE(pacer.stands);
+    TEST_ASSERT_FALSE(pacer.unmet);
     wall.stands = true;
     exk_pacer_next(&pacer);
-    TEST_ASSERT_TRUE(pacer.stands);
+    TEST_ASSERT_TRUE(pacer.unmet);
     TEST_ASSERT_EQUAL_INT(1 + EXK_PACER_TRIES, wall.n_sleeps);
     wall.stands = false;
     exk_pacer_next(&pacer);
-    TEST_ASSERT_FALSE(pacer.stands);
+    TEST_ASSERT_FALSE(pacer.unmet);
+}
+
+/* A period that the host's timers cannot keep: every tick tried is overslept. */
+static void ticks_that_are_all_overslept_end_the_search(void)
+{
+    exk_pacer_next(&pacer);
+    wall.overslept_ns = 2 * PERIOD + 10;
+    wall.keeps = true;
+    const int64_t k = exk_pacer_next(&pacer);
+    TEST_ASSERT_TRUE(pacer.unmet);
+    TEST_ASSERT_EQUAL_INT(1 + EXK_PACER_TRIES, wall.n_sleeps);
+    TEST_ASSERT_EQUAL_INT64(1 + 3 * (EXK_PACER_TRIES - 1), k);
+    TEST_ASSERT_EQUAL_INT64(k - 1, pacer.n_missed_row);
+    wall.overslept_ns = 0;
+    exk_pacer_next(&pacer);
+    TEST_ASSERT_FALSE(pacer.unmet);
 }
 
 /* Slept to the last part, then a clock that no longer moves: the spin comes back. */
@@ -128,7 +145,7 @@ static void a_spin_on_a_clock_that_stands_ends(void)
 {
     pacer.spin_ns = 100;
     exk_pacer_next(&pacer);
-    TEST_ASSERT_TRUE(pacer.stands);
+    TEST_ASSERT_TRUE(pacer.unmet);
     TEST_ASSERT_EQUAL_INT64(-100, pacer.lateness_ns);
 }
 
@@ -150,6 +167,7 @@ int main(void)
     RUN_TEST(a_clock_that_stands_still_or_runs_back_only_waits);
     RUN_TEST(a_tick_that_was_overslept_is_missed);
     RUN_TEST(a_clock_that_does_not_get_there_is_said_to_stand);
+    RUN_TEST(ticks_that_are_all_overslept_end_the_search);
     RUN_TEST(a_spin_on_a_clock_that_stands_ends);
     RUN_TEST(years_of_ticks_do_not_wrap);
     return UNITY_END();

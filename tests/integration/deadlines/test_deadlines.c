@@ -19,6 +19,7 @@ static struct {
     int64_t k_trouble; /* the sleep before which the trouble is met; -1: none */
     int64_t late_ns;   /* added to it; negative: backwards */
     bool stands;       /* from there on */
+    bool keeps;        /* late by as much at every sleep from there on */
     int64_t n_sleeps;
 } wall;
 
@@ -48,7 +49,7 @@ static void fake_sleep(void *ctx, int64_t t_ns)
     wall.t_ns = t_ns > wall.t_ns ? t_ns : wall.t_ns;
     if (trouble) {
         wall.t_ns += wall.late_ns;
-        wall.k_trouble = -1;
+        wall.k_trouble = wall.keeps ? wall.k_trouble : -1;
     }
 }
 
@@ -174,7 +175,48 @@ static void a_clock_that_stands_stops_the_run(void)
     run();
     TEST_ASSERT_EQUAL(EXK_STATE_FAULT, rig.loop.sm.state);
     TEST_ASSERT_EQUAL(EXK_CAUSE_OVERRUN, rig.loop.report.cause);
+    TEST_ASSERT_EQUAL(EXK_QUANTITY_CLOCK, rig.loop.report.what.quantity);
     TEST_ASSERT_EQUAL_INT(50, seen.n);
+    check_no_burst();
+}
+
+/* Every wait too long, and however many missed ticks the profile allows: it ends. (Too long by one tick, every
+ * other tick is run.) */
+static void waits_that_are_always_too_long_stop_the_run(void)
+{
+    for (int64_t late = 2; late <= 100; late++) {
+        for (int many = 0; many < 2; many++) {
+            tearDown();
+            setUp();
+            rig.profile.timing.n_missed_max = many ? 1000000 : 20;
+            wall.k_trouble = 50;
+            wall.keeps = true;
+            wall.late_ns = late * PERIOD_NS;
+            run();
+            TEST_ASSERT_EQUAL(EXK_STATE_FAULT, rig.loop.sm.state);
+            TEST_ASSERT_EQUAL(EXK_CAUSE_OVERRUN, rig.loop.report.cause);
+            TEST_ASSERT_EQUAL(many ? EXK_QUANTITY_CLOCK : EXK_QUANTITY_DEADLINES,
+                              rig.loop.report.what.quantity);
+            TEST_ASSERT_EQUAL_INT(50, seen.n);
+            check_no_burst();
+        }
+    }
+}
+
+/* A clock that stops while the tool backs out of the part: no rush of ticks to its end. */
+static void a_clock_that_stands_stops_the_way_out(void)
+{
+    rig.profile.inject.n_faults = 1;
+    rig.profile.inject.fault[0] = exk_inject_default();
+    rig.profile.inject.fault[0].kind = EXK_INJECT_DROPOUT;
+    rig.profile.inject.fault[0].at_s = 0.05;
+    rig.profile.inject.fault[0].for_s = 1.0;
+    wall.k_trouble = 50 + 20 + 10; /* 10 ticks into slowing down */
+    wall.stands = true;
+    run();
+    TEST_ASSERT_EQUAL(EXK_CAUSE_SENSOR, rig.loop.report.cause);
+    TEST_ASSERT_EQUAL_INT(80, seen.n);
+    TEST_ASSERT_TRUE(exk_loop_is_over(&rig.loop));
     check_no_burst();
 }
 
@@ -185,5 +227,7 @@ int main(void)
     RUN_TEST(late_by_any_number_of_ticks_is_counted_exactly);
     RUN_TEST(a_clock_that_runs_backwards_only_waits);
     RUN_TEST(a_clock_that_stands_stops_the_run);
+    RUN_TEST(waits_that_are_always_too_long_stop_the_run);
+    RUN_TEST(a_clock_that_stands_stops_the_way_out);
     return UNITY_END();
 }
