@@ -29,7 +29,9 @@ run_tidy() {
     local sources
     cmake --preset mcdc -DBUILD_TESTING=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
     cmake --build --preset mcdc -j "$(nproc)" --target exk_types
-    mapfile -d '' -t sources < <(find src host_tools bench -name '*.c' -print0)
+    mapfile -t sources < <(grep -o "$exk_root/\(src\|host_tools\|bench\)/[^\" ]*\.c" \
+        build/mcdc/compile_commands.json | sort -u) # what is built: not mpi_on.c where there is no MPI
+    ((${#sources[@]} > 0)) || return
     printf '%s\0' "${sources[@]}" |
         xargs -0 -P "$(nproc)" -n 4 clang-tidy-19 -p build/mcdc --quiet
 }
