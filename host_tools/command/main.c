@@ -11,6 +11,7 @@
 enum { EXIT_REFUSED = 1, EXIT_INPUT = 2, EXIT_IO = 3, WHY_MAX = 1024 };
 static const int64_t hear_us = 2000000;  /* a controller says its status at least this often */
 static const int64_t reply_us = 1500000; /* its counts show what became of a command */
+static const int64_t effect_us = 500000; /* a few statuses */
 
 typedef struct {
     exk_bus *bus;
@@ -98,6 +99,39 @@ static int wait_for_reply(sender *s, const exk_command_counts *before)
                                   "[command], and is it a real-time run?");
 }
 
+/* Where a command leads, and from where it is no use. */
+static const struct {
+    exk_state to;
+    const char *from;
+} effects[EXK_COMMAND_COUNT] = {
+    [EXK_COMMAND_START] = {EXK_STATE_RUN, "it begins in idle and goes on in hold"},
+    [EXK_COMMAND_STOP] = {EXK_STATE_HOLD, "it holds a run"},
+    [EXK_COMMAND_ABORT] = {EXK_STATE_FAULT, "the run is over"},
+    [EXK_COMMAND_CLEAR] = {EXK_STATE_IDLE, "it ends a fault, once nothing moves any more"},
+};
+
+static bool had_effect(const sender *s, exk_command command)
+{
+    const exk_state state = (exk_state)s->status.state;
+    return command == EXK_COMMAND_ALIVE || state == effects[command].to ||
+           (command == EXK_COMMAND_START && state == EXK_STATE_DONE);
+}
+
+/* The gate took the command; the state it leads to is in this status, or in the next. */
+static int wait_for_effect(sender *s, exk_command command)
+{
+    const int64_t until_us = exk_wall_us() + effect_us;
+    while (!had_effect(s, command) && exk_stop_signal() == 0 && exk_wall_us() < until_us) {
+        exk_bus_wait(s->bus, 50);
+    }
+    if (had_effect(s, command)) {
+        return 0;
+    }
+    fprintf(stderr, "exk-command: %s: no effect in state %s: %s\n", exk_command_name(command),
+            exk_state_name((exk_state)s->status.state), effects[command].from);
+    return EXIT_REFUSED;
+}
+
 static int keep_on(const command_options *options, sender *s)
 {
     int64_t next_us = exk_wall_us();
@@ -127,7 +161,10 @@ static int converse(const command_options *options, sender *s)
     if (!send_command(s, options->command)) {
         return complain(EXIT_IO, "the bus refuses messages: exk-doctor finds out why");
     }
-    const int code = wait_for_reply(s, &before);
+    int code = wait_for_reply(s, &before);
+    if (code == 0) {
+        code = wait_for_effect(s, options->command);
+    }
     if (code != 0) {
         return code;
     }

@@ -26,8 +26,8 @@ static const char doc[] =
     "The key is 64 hexadecimal digits in a file that its owner alone may read (mode\n"
     "0600).\n"
     "\n"
-    "Exit status: 0 the controller took the command; 1 it refused it, or did not\n"
-    "answer; 2 wrong use, or a key that is refused; 3 the bus failed, or no\n"
+    "Exit status: 0 the controller took the command; 1 it refused it, did not answer,\n"
+    "or its state has no use for it; 2 wrong use, or a key that is refused; 3 the bus failed, or no\n"
     "controller is heard.";
 
 static const struct argp_option options[] = {

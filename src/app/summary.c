@@ -61,14 +61,30 @@ static void print_histogram(const char *what, const exk_histogram *hist)
            1e-3 * (double)exk_histogram_quantile_ns(hist, 1.0));
 }
 
-/* What became of the tool, once nothing moved any more. */
-static const char *what_became(const exk_loop_report *loop)
+/* Nothing is left of the way from where the tool is to the clearance of its hole. */
+static bool is_clear(const exk_rig *rig)
 {
-    if (loop->motion == EXK_MOTION_RETRACT) {
+    const exk_motion *m = &rig->loop.motion;
+    exk_segment way;
+    return m->retracts ? m->step >= m->way.n_ticks
+                       : exk_plan_retract(&rig->plan, m->j, &way) == EXK_OK && way.n_ticks == 0;
+}
+
+/* What became of the tool when the run ended: by itself, or earlier by a signal. */
+static const char *what_became(const exk_rig *rig)
+{
+    const exk_loop *loop = &rig->loop;
+    if (loop->report.cause != EXK_CAUSE_SENSOR) {
+        return "the last good command was held";
+    }
+    if (loop->motion.mode == EXK_MOTION_RETRACT) {
         return "the tool was on its way out of the part";
     }
-    return loop->fault.cause == EXK_CAUSE_SENSOR ? "the tool is out of the part, at rest"
-                                                 : "the last good command was held";
+    if (loop->motion.mode != EXK_MOTION_OUT) {
+        return "the tool had not begun its way out of the part";
+    }
+    return is_clear(rig) ? "the tool is out of the part, at rest"
+                         : "the tool is still in the part: its way out was broken off";
 }
 
 static void print_fault(const loop_ending *ending)
@@ -76,7 +92,7 @@ static void print_fault(const loop_ending *ending)
     const exk_loop_report *loop = &ending->record->loop;
     char text[EXK_FAULT_TEXT_MAX];
     exk_fault_text(&loop->fault, text, sizeof text);
-    fprintf(stderr, "exk-loop: fault: %s\nexk-loop: %s\n", text, what_became(loop));
+    fprintf(stderr, "exk-loop: fault: %s\nexk-loop: %s\n", text, what_became(ending->rig));
 }
 
 void loop_summary_print(const loop_ending *ending, bool quiet)

@@ -359,6 +359,20 @@ static void check_box(exk_profile_reader *r)
     }
 }
 
+/* A machine whose legs may be nowhere could not be set up. */
+static void check_margin(exk_profile_reader *r)
+{
+    const double margin_m = r->profile.limits.leg_margin_m;
+    const double most_m = 0.5 * r->profile.geometry.d5_m;
+    if (r->profile.model == EXK_KIN_MACHINE && !(margin_m < most_m)) {
+        exk_faults_add(
+            &r->faults, line_of(r, EXK_IN_LIMITS, 0, "leg_margin_mm"),
+            "[limits] leg_margin_mm: leaves no stroke: found %s, allowed: below half "
+            "of d5_mm = %s mm",
+            show(margin_m * EXK_MM_PER_M).text, show(most_m * EXK_MM_PER_M).text);
+    }
+}
+
 static void check_delays(exk_profile_reader *r)
 {
     const double most_s = EXK_INJECT_DELAY_MAX * r->profile.timing.dt_s;
@@ -387,7 +401,7 @@ void exk_check_profile(exk_profile_reader *reader)
         {EXK_IN_CONTROL, check_feedback}, {EXK_IN_CONTROL, check_learning},
         {EXK_IN_LOOP, check_sources},     {EXK_IN_TELEMETRY, check_ring},
         {EXK_IN_COMMAND, check_commands}, {EXK_IN_LIMITS, check_box},
-        {EXK_IN_FAULT, check_delays},
+        {EXK_IN_LIMITS, check_margin},    {EXK_IN_FAULT, check_delays},
     };
     check_required(reader);
     derive(reader);

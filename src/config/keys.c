@@ -220,8 +220,8 @@ static const exk_key keys[] = {
         "end of each wait that is spun, not slept"),
 #undef IN
 #define IN EXK_IN_GUARD
-    {IN, "sigma_rad", EXK_KEY_NUMBER, &rad, P(guard.sigma_rad), 0.0, DBL_MAX, false, false,
-     NULL, "0: from [sensor] and [disturbance.N]",
+    {IN, "sigma_rad", EXK_KEY_NUMBER, &rad, P(guard.sigma_rad), 0.0, 1.0, false, false, NULL,
+     "0: from [sensor] and [disturbance.N]",
      "how far a good sample is from what was expected, one sigma"},
     {IN, "start_mrad", EXK_KEY_NUMBER, &mrad, P(guard.start_rad), 0.0, (double)INFINITY, false,
      false, NULL, "0: from [disturbance.N]",
@@ -232,7 +232,7 @@ static const exk_key keys[] = {
     NUM("stuck_s", sec, P(guard.stuck_s), AT_LEAST_0,
         "the same value for so long is stuck, while the reference moves or noise should show; "
         "0: never"),
-    NUM("retract_after_s", sec, P(guard.retract_after_s), AT_LEAST_0,
+    NUM("retract_after_s", sec, P(guard.retract_after_s), RANGE(0.0, 3600.0),
         "rest between a sensor fault and the way out of the part"),
 #undef IN
 #define IN EXK_IN_LIMITS

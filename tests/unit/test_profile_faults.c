@@ -99,6 +99,13 @@ static const row rows[] = {
            "dropout, delay or garbage"},
       {14, "[fault.2] delay_s: out of range: found 0.3, allowed: up to 255 ticks = 0.255 s"},
       {15, "[fault.9]: unknown section; allowed: [fault.1] to [fault.8]"}}},
+    {"a margin that leaves no stroke, a rest without end, a spread beyond any range",
+     "[kinematics]\nmodel = machine\n[job]\nkind = grid\n[limits]\nleg_margin_mm = 350\n"
+     "[guard]\nretract_after_s = 3601\nsigma_rad = 1e300\n",
+     {{6, "[limits] leg_margin_mm: leaves no stroke: found 350, allowed: below half of d5_mm = "
+          "350 mm"},
+      {8, "[guard] retract_after_s: out of range: found \"3601\", allowed: 0 to 3600 s"},
+      {9, "[guard] sigma_rad: out of range: found \"1e300\", allowed: 0 to 1 rad"}}},
     {"a disturbance of no number",
      START "[disturbance]\n[disturbance.0]\n[disturbance.9]\n[disturbance.10]\n",
      {{5, "[disturbance]: unknown section; allowed: [disturbance.1] to [disturbance.8]"},

@@ -22,6 +22,17 @@ expect_part err "full rate: long.fault.lcm"
 expect_code 0 "$bin/exk-log" --from long.fault.lcm --csv long.csv
 [ "$(wc -l <long.csv)" -eq 521 ] || fail "the capture does not hold the 520 samples up to the fault"
 
+# stopped before the way out of the part has begun: not told to be out of it
+cp long.ini rest.ini
+printf '\n[guard]\nretract_after_s = 3600\n' >>rest.ini
+sed -i 's/^for_s = .*/for_s = 100000/' rest.ini
+"$bin/exk-loop" rest.ini --fast --no-bus >out 2>err &
+loop=$!
+sleep 0.7
+kill -INT "$loop"
+wait "$loop" && fail "a run that a fault and a signal ended has exit code 0"
+expect_part err "the tool had not begun its way out of the part"
+
 # a limit: named with value, limit and the key to change; the same bytes again
 cp p.ini limit.ini
 printf '\n[limits]\nrate_radps = 0.05\n' >>limit.ini

@@ -38,6 +38,8 @@ sleep 0.9
 says "state hold" "$command" alive --key op.key
 says "abort: taken" "$command" abort --key op.key
 says "state fault" "$command" alive --key op.key
+expect_code 1 "$command" start --key op.key --url="$url"
+expect_part err "start: no effect in state fault: it begins in idle and goes on in hold"
 says "clear: taken" "$command" clear --key op.key
 says "state idle" "$command" alive --key op.key
 kill -INT "$loop"
