@@ -183,6 +183,9 @@ static int command(const command_options *options)
         return complain(EXIT_INPUT, why);
     }
     exk_bus_url(options->url, url, sizeof url);
+    if (!exk_bus_url_good(url, why, sizeof why)) {
+        return complain(EXIT_INPUT, why);
+    }
     s.bus = exk_bus_open(url, true, why, sizeof why);
     if (s.bus == NULL ||
         !exk_bus_listen(s.bus, EXK_CHANNEL_STATUS, hear, &s, why, sizeof why)) {

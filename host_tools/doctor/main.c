@@ -3,6 +3,7 @@
 
 #include "bus_url.h"
 #include "checks.h"
+#include "exk/bus.h"
 #include "exk/profile.h"
 #include "json_file.h"
 #include "options.h"
@@ -26,9 +27,14 @@ int main(int argc, char **argv)
     doctor_options opt;
     findings all = {.n = 0};
     char url[EXK_PATH_MAX];
+    char why[2 * EXK_PATH_MAX];
     int code = 0;
     doctor_options_parse(argc, argv, &opt);
     exk_bus_url(opt.url, url, sizeof url);
+    if (!exk_bus_url_good(url, why, sizeof why)) {
+        fprintf(stderr, "exk-doctor: %s\n", why);
+        return 2;
+    }
     check_bus(&all, url);
     check_host(&all);
     if (opt.json_path != NULL) {

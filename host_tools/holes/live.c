@@ -86,6 +86,9 @@ int hole_live_listen(exk_run_log *log, const char *url, double seconds, bool qui
                      size_t why_size)
 {
     listener self = {.log = log};
+    if (!exk_bus_url_good(url, why, why_size)) {
+        return 2;
+    }
     exk_bus *bus = exk_bus_open(url, true, why, why_size);
     if (bus == NULL) {
         return 3;

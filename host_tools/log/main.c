@@ -82,6 +82,9 @@ static int record(const log_options *opt, exk_run_log *log, record_result *resul
     char why[WHY_MAX] = "";
     char url[EXK_PATH_MAX];
     exk_bus_url(opt->url, url, sizeof url);
+    if (!exk_bus_url_good(url, why, sizeof why)) {
+        return complain(2, why);
+    }
     const record_request request = {.path = opt->log_path,
                                     .url = url,
                                     .seconds = opt->seconds,

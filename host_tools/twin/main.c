@@ -43,7 +43,8 @@ static int run(const twin_options *options, exk_rig *rig)
     static twin_server server;
     char why[1024];
     const char *url = options->url != NULL ? options->url : rig->profile.telemetry.url;
-    if (!exk_solo_claim("machine", url, why, sizeof why)) {
+    if (!exk_bus_url_good(url, why, sizeof why) ||
+        !exk_solo_claim("machine", url, why, sizeof why)) {
         return complain(EXIT_INPUT, why);
     }
     server = (twin_server){.rig = rig, .quiet = options->quiet, .machine_id = own_id()};

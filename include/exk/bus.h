@@ -36,7 +36,11 @@ bool exk_bus_listen(exk_bus *bus, const char *pattern, exk_bus_fn fn, void *ctx,
  *  A signal ends the wait with 0. Returns after a few thousand, so that a caller stays alive. */
 int exk_bus_wait(exk_bus *bus, int timeout_ms);
 
-/** Can the multicast group of a udpm URL be reached? True for every other kind of URL. */
+/** Can this URL be one of LCM's: kind, group, port, ttl? False is wrong use; what the system then refuses
+ *  is not. exk_bus_open asks it too. */
+bool exk_bus_url_good(const char *url, char *why, size_t why_size);
+
+/** Can the multicast group of a udpm URL be reached? True for every other kind of good URL. */
 bool exk_bus_route(const char *url, char *why, size_t why_size);
 
 /** Bytes of receive buffer that the system grants when EXK_BUS_BUFFER_BYTES are asked for. */

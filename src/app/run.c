@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "capture_file.h"
+#include "exk/bus.h"
 #include "exk/event_file.h"
 #include "exk/input.h"
 #include "exk/realtime.h"
@@ -90,7 +91,8 @@ static bool is_alone(const loop_options *options, const exk_rig *rig)
     if (!publishes(options) && !drives_bus(rig)) {
         return true;
     }
-    return (exk_solo_claim("controller", url, why, sizeof why) &&
+    return (exk_bus_url_good(url, why, sizeof why) &&
+            exk_solo_claim("controller", url, why, sizeof why) &&
             exk_solo_listen(url, LISTEN_MS, why, sizeof why)) ||
            complain(why);
 }

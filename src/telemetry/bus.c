@@ -20,6 +20,17 @@ static bool is_udpm(const char *url)
     return strncmp(url, "udpm://", 7) == 0;
 }
 
+static bool is_tcpq(const char *url)
+{
+    return strncmp(url, "tcpq://", 7) == 0;
+}
+
+/* LCM takes a tcpq URL whose server is not there, and aborts in its first wait. */
+static bool is_connected(lcm_t *lcm, const char *url)
+{
+    return !is_tcpq(url) || lcm_get_fileno(lcm) >= 0;
+}
+
 static void with_buffer(const char *url, char *out, size_t size)
 {
     if (!is_udpm(url) || strstr(url, "recv_buf_size") != NULL) {
@@ -47,12 +58,12 @@ exk_bus *exk_bus_open(const char *url, bool receive, char *why, size_t why_size)
         snprintf(full, sizeof full, "%s", url);
     }
     bus->lcm = lcm_create(full);
-    if (bus->lcm == NULL) {
+    if (bus->lcm == NULL || !is_connected(bus->lcm, url)) {
         snprintf(why, why_size,
-                 "%s: LCM cannot open this URL; use one like udpm://239.255.76.67:7667?ttl=0 "
+                 "%s: LCM cannot open this URL%s; use one like udpm://239.255.76.67:7667?ttl=0 "
                  "(exk-doctor says more)",
-                 url);
-        free(bus);
+                 url, is_tcpq(url) ? ": no lcm-tcpq-server answers there" : "");
+        exk_bus_close(bus);
         return NULL;
     }
     return bus;
@@ -60,10 +71,10 @@ exk_bus *exk_bus_open(const char *url, bool receive, char *why, size_t why_size)
 
 void exk_bus_close(exk_bus *bus)
 {
-    if (bus != NULL) {
+    if (bus != NULL && bus->lcm != NULL) {
         lcm_destroy(bus->lcm);
-        free(bus);
     }
+    free(bus);
 }
 
 bool exk_bus_send(exk_bus *bus, const char *channel, const void *data, size_t bytes)
@@ -95,6 +106,9 @@ bool exk_bus_listen(exk_bus *bus, const char *pattern, exk_bus_fn fn, void *ctx,
 int exk_bus_wait(exk_bus *bus, int timeout_ms)
 {
     int n = 0;
+    if (lcm_get_fileno(bus->lcm) < 0) {
+        return -1; /* a tcpq server that went: LCM would abort */
+    }
     errno = 0;
     int got = lcm_handle_timeout(bus->lcm, timeout_ms);
     while (got > 0 && ++n < BATCH) {

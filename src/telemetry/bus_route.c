@@ -10,15 +10,12 @@
 
 #include "exk/bus.h"
 
-/* LCM's own default where a udpm URL leaves out the group. */
-static const char default_group[] = "239.255.76.67";
-
 /* The group of udpm://GROUP:PORT?options. */
 static void group_of(const char *url, char *group, size_t size)
 {
     const char *begin = url + strlen("udpm://");
     const size_t n = strcspn(begin, ":?");
-    snprintf(group, size, "%.*s", (int)n, n > 0 ? begin : default_group);
+    snprintf(group, size, "%.*s", (int)n, begin);
 }
 
 /* connect on a datagram socket sends nothing: it only looks the route up. */
@@ -39,17 +36,14 @@ bool exk_bus_route(const char *url, char *why, size_t why_size)
 {
     char group[64];
     struct in_addr address;
+    if (!exk_bus_url_good(url, why, why_size)) {
+        return false;
+    }
     if (strncmp(url, "udpm://", 7) != 0) {
         return true;
     }
     group_of(url, group, sizeof group);
-    if (inet_pton(AF_INET, group, &address) != 1 || ntohl(address.s_addr) >> 28 != 0xE) {
-        snprintf(why, why_size,
-                 "%s: %s is not a multicast address (224.0.0.0 to 239.255.255.255)", url,
-                 group);
-        return false;
-    }
-    if (!route_to(address)) {
+    if (inet_pton(AF_INET, group, &address) != 1 || !route_to(address)) {
         snprintf(
             why, why_size,
             "no route for multicast (%s: %s): run `ip route add 224.0.0.0/4 dev lo` as root, "

@@ -6,7 +6,7 @@ grep -q "^ok    messages   200 messages there and back" out || { cat out; fail "
 expect_code 0 "$bin/exk-doctor" --url="udpm://239.255.76.67:$3?ttl=1" --json=d.json
 expect_part d.json '"state": "warn"'
 expect_part d.json '"found": "ttl=1: every host on this network sees the machine'
-expect_code 1 "$bin/exk-doctor" --url=nonsense://
+expect_code 2 "$bin/exk-doctor" --url=nonsense://
 unshare -rn true 2>/dev/null || exit 0
 expect_code 1 unshare -rn "$bin/exk-doctor" --url="$url"
 expect_text out "fail  route      no route for multicast (239.255.76.67: Network is unreachable)"

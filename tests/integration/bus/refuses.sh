@@ -49,8 +49,29 @@ expect_code 2 "$bin/exk-log" run.lcm --seconds nan
 expect_text err "exk-log: --seconds nan: a number of seconds above 0 is allowed"
 expect_code 2 "$bin/exk-log" run.lcm --plot path.pdf
 expect_text err "exk-log: --plot path.pdf: a picture ends in .svg or .png"
-expect_code 3 "$bin/exk-log" new.lcm --url=nonsense:// --seconds 0.1
-expect_part err "nonsense://: LCM cannot open this URL"
+# a URL that cannot be one of LCM's is wrong use in every program; one that nobody answers is not
+expect_code 0 "$bin/exk-command" keygen op.key
+with_url() {
+    expect_code "$1" "$bin/exk-log" new.lcm --seconds 0.1 --url="$2"
+    expect_part err "$3"
+    expect_code "$1" "$bin/exk-loop" p.ini --url="$2"
+    expect_part err "$3"
+    expect_code "$1" "$bin/exk-loop" p.ini --fast --source bus --url="$2"
+    expect_part err "$3"
+    expect_code "$1" "$bin/exk-twin" p.ini --url="$2"
+    expect_part err "$3"
+    expect_code "$1" "$bin/exk-command" stop --key op.key --url="$2"
+    expect_part err "$3"
+    expect_code "$1" "$bin/exk-holes" --live --seconds 0.1 --url="$2"
+    expect_part err "$3"
+}
+for bad in nonsense:// udpm://239.255.76.67 "udpm://239.255.76.67:7667?ttl=x" ""; do
+    with_url 2 "$bad" "LCM URL \"$bad\": "
+    expect_code 2 "$bin/exk-doctor" --url="$bad"
+    expect_part err "LCM URL \"$bad\": "
+done
+with_url 3 tcpq://127.0.0.1:1 "tcpq://127.0.0.1:1: LCM cannot open this URL: no lcm-tcpq-server answers there"
+expect_code 1 "$bin/exk-doctor" --url=tcpq://127.0.0.1:1
 expect_code 3 "$bin/exk-log" no/such/folder.lcm --url="$url" --seconds 0.1
 expect_text err "exk-log: no/such/folder.lcm.part: cannot be created: No such file or directory"
 exit 0
