@@ -37,7 +37,8 @@ static int print_check(const loop_options *options, const exk_rig *rig)
 static int load_store(const loop_options *options, const exk_rig *rig, exk_store *store)
 {
     char why[512];
-    if (exk_store_load(options->ilc_path, store, why, sizeof why) == EXK_STORE_OK) {
+    const exk_store_err err = exk_store_load(options->ilc_path, store, why, sizeof why);
+    if (err == EXK_STORE_OK) {
         if (store->is_previous) {
             fprintf(stderr, "exk-loop: %s\n", why);
         }
@@ -50,7 +51,7 @@ static int load_store(const loop_options *options, const exk_rig *rig, exk_store
         return EXIT_INPUT;
     }
     fprintf(stderr, "%s\n", why);
-    return EXIT_INPUT;
+    return err == EXK_STORE_IO ? EXIT_IO : EXIT_INPUT;
 }
 
 static int run_with_store(loop_options *options, exk_rig *rig)

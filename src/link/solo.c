@@ -41,7 +41,8 @@ static socklen_t name_of(const char *role, const char *url, struct sockaddr_un *
     return (socklen_t)(offsetof(struct sockaddr_un, sun_path) + 1 + used);
 }
 
-/* Who holds a name: its process, 0 when it does not say. */
+/* Who holds a name: its process, 0 when it does not say. Each asking stays in the holder's queue, which
+ * nobody empties: it has room for some thousands. */
 static long holder_of(const struct sockaddr_un *name, socklen_t length)
 {
     struct ucred who = {0};
@@ -56,6 +57,19 @@ static long holder_of(const struct sockaddr_un *name, socklen_t length)
     return (long)who.pid;
 }
 
+static void say_holder(const char *role, const char *url, long process, char *why,
+                       size_t why_size)
+{
+    char who[32] = "";
+    if (process > 0) {
+        snprintf(who, sizeof who, ": process %ld", process);
+    }
+    snprintf(why, why_size,
+             "another %s is on %s%s; end it first, or give this one a bus of its own (--url "
+             "with another port)",
+             role, url, who);
+}
+
 bool exk_solo_claim(const char *role, const char *url, char *why, size_t why_size)
 {
     struct sockaddr_un name;
@@ -67,17 +81,13 @@ bool exk_solo_claim(const char *role, const char *url, char *why, size_t why_siz
     if (fd < 0) {
         return true; /* no such sockets here: listening remains */
     }
-    if (bind(fd, (struct sockaddr *)&name, length) == 0 && listen(fd, 1) == 0) {
+    if (bind(fd, (struct sockaddr *)&name, length) == 0 && listen(fd, SOMAXCONN) == 0) {
         return true; /* kept open until the process ends */
     }
     const bool taken = errno == EADDRINUSE;
     close(fd);
     if (taken) {
-        snprintf(
-            why, why_size,
-            "another %s is on %s: process %ld; end it first, or give this one a bus of its "
-            "own (--url with another port)",
-            role, url, holder_of(&name, length));
+        say_holder(role, url, holder_of(&name, length), why, why_size);
     }
     return !taken;
 }

@@ -47,8 +47,10 @@ unsigned char *store_file_read(const store_os *os, const char *path, size_t *n_b
     errno = 0;
     const int fd = os->open(os->ctx, path, O_RDONLY);
     const off_t size = fd < 0 ? -1 : os->size(os->ctx, fd);
-    if (size < 0 || size > largest) {
-        errno = fd >= 0 && errno == 0 ? EINVAL : errno;
+    if (fd >= 0 && size < 0 && errno == 0) {
+        snprintf(why, why_size, "%s: not a regular file: an ILC store is kept in one", path);
+    } else if (size < 0 || size > largest) {
+        errno = size > largest ? EFBIG : errno;
         io_error(why, why_size, path, "cannot open the ILC store");
     } else {
         *n_bytes = (size_t)size;
@@ -133,7 +135,9 @@ exk_store_err store_file_replace(const store_os *os, const char *path, store_byt
     }
     if (!write_synced(os, next, fresh) || (keep && !keep_previous(os, path, previous)) ||
         os->rename(os->ctx, next, path) != 0) {
-        io_error(why, why_size, path, "cannot write the ILC store, the old one stays");
+        io_error(why, why_size, path,
+                 keep ? "cannot write the ILC store, the old one stays"
+                      : "cannot write the ILC store");
         os->unlink(os->ctx, next);
         return EXK_STORE_IO;
     }

@@ -227,13 +227,13 @@ static void no_folder_no_disk_no_file_are_said(void)
 {
     exk_store got;
     TEST_ASSERT_EQUAL(EXK_STORE_IO, exk_store_save("/nowhere/a.ilc", &made, why, sizeof why));
-    TEST_ASSERT_EQUAL_STRING("/nowhere/a.ilc: cannot write the ILC store, the old one stays: "
-                             "No such file or directory",
-                             why);
+    TEST_ASSERT_EQUAL_STRING(
+        "/nowhere/a.ilc: cannot write the ILC store: No such file or directory", why);
     TEST_ASSERT_EQUAL(EXK_STORE_IO, exk_store_load("/nowhere/a.ilc", &got, why, sizeof why));
     TEST_ASSERT_EQUAL_STRING(
         "/nowhere/a.ilc: cannot open the ILC store: No such file or directory", why);
     TEST_ASSERT_EQUAL(EXK_STORE_IO, exk_store_load("/tmp", &got, why, sizeof why));
+    TEST_ASSERT_EQUAL_STRING("/tmp: not a regular file: an ILC store is kept in one", why);
 }
 
 static void a_second_save_replaces_the_first(void)

@@ -8,7 +8,7 @@ expect_text err "exk-loop: small/run.lcm: recording stopped: No space left on de
 [ "$(grep -c 'No space left' err)" -eq 1 ] || fail "said more than once"
 expect_part out "4 of 4 holes drilled"
 expect_code 3 "$bin/exk-ilc" train "$profiles/rectangle.ini" -n 1 -o small/full.ilc
-expect_text err "exk-ilc: small/full.ilc: cannot write the ILC store, the old one stays: No space left on device"
+expect_text err "exk-ilc: small/full.ilc: cannot write the ILC store: No space left on device"
 [ -e small/full.ilc ] && fail "half a store is left"
 # results that cannot be printed are a failure, whatever the run was
 full() {

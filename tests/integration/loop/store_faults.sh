@@ -45,4 +45,24 @@ expect_code 2 "$bin/exk-ilc" show text.ilc
 expect_text err "exk-ilc: text.ilc: not an ILC store (no EXKILC at its start)"
 expect_code 2 "$bin/exk-ilc" train a.ini -n 1 -o text.ilc
 expect_text err "exk-ilc: text.ilc: exists and is not an ILC store: not overwritten; choose another name"
+
+# what cannot be a store at all: said, and nothing waits for a FIFO, as the store or as its previous one
+mkdir folder.ilc
+mkfifo fifo.ilc fifo_before.ilc.prev
+cp bit.ilc fifo_before.ilc
+for what in folder.ilc fifo.ilc /dev/null; do
+    expect_code 3 timeout 10 "$bin/exk-ilc" show "$what"
+    expect_text err "exk-ilc: $what: not a regular file: an ILC store is kept in one"
+    expect_code 3 timeout 10 "$bin/exk-loop" a.ini --fast --ilc "$what" -r never.lcm
+    expect_text err "$what: not a regular file: an ILC store is kept in one"
+    expect_code 2 timeout 10 "$bin/exk-ilc" train a.ini -n 1 -o "$what"
+    expect_text err "exk-ilc: $what: exists and is not an ILC store: not overwritten; choose another name"
+done
+expect_code 2 timeout 10 "$bin/exk-ilc" show fifo_before.ilc
+expect_part err "; its previous generation is no better: fifo_before.ilc.prev: not a regular file"
+expect_code 3 "$bin/exk-loop" a.ini --fast --ilc missing.ilc -r never.lcm
+expect_text err "missing.ilc: cannot open the ILC store: No such file or directory"
+expect_code 3 "$bin/exk-ilc" train a.ini -n 1 -o no/such/folder.ilc
+expect_text err "exk-ilc: no/such/folder.ilc: cannot write the ILC store: No such file or directory"
+[ -e never.lcm ] && fail "a log was started for a store that is not there"
 exit 0
