@@ -1,7 +1,9 @@
 #include "server.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const int64_t silence_us = 1000000;
@@ -63,6 +65,8 @@ static void begin_run(twin_server *s, const exk_wire_drive *hello)
     s->n_not_ours = 0;
     s->answer = (exk_wire_sensor){.stamp.k = -1};
     exk_arrivals_init(&s->arrivals);
+    s->arrivals.newest = hello->stamp.seq - 1; /* the hellos before had nobody to hear them */
+    s->other_rate = false;
     if (!s->quiet) {
         fprintf(stderr,
                 "exk-twin: run %" PRId64 " begins, series %" PRIu32 " run %" PRIu32 "\n",
@@ -88,6 +92,25 @@ static void step(twin_server *s, const exk_wire_drive *drive)
     answer(s, drive);
 }
 
+/* k dt of the drive is k dt here: a servo lag and a random walk of another rate are another machine. */
+static bool has_our_rate(twin_server *s, const exk_wire_drive *drive)
+{
+    const double dt_s = s->rig->profile.timing.dt_s;
+    const int64_t want_us = llround((double)drive->stamp.k * dt_s * 1e6);
+    if (llabs(drive->stamp.time_us - want_us) <= 1) {
+        return true;
+    }
+    if (!s->other_rate) {
+        s->other_rate = true;
+        fprintf(stderr,
+                "exk-twin: run %" PRId64 " is at %" PRId64 " us in tick %" PRId64
+                ", this machine's profile has ticks of %g us: it gets no answer; start "
+                "exk-twin with the profile of the controller\n",
+                s->run_id, drive->stamp.time_us, drive->stamp.k, 1e6 * dt_s);
+    }
+    return false;
+}
+
 static bool is_ours(const twin_server *s, const exk_wire_drive *drive)
 {
     return drive->stamp.run_id == s->run_id && drive->session_id == s->session_id;
@@ -98,9 +121,9 @@ static void obey(twin_server *s, const exk_wire_drive *drive)
     exk_arrivals_take(&s->arrivals, drive->stamp.seq);
     if (drive->kind == EXK_DRIVE_BYE) {
         end_run(s, "ended");
-    } else if (drive->kind == EXK_DRIVE_STEP) {
+    } else if (drive->kind == EXK_DRIVE_STEP && has_our_rate(s, drive)) {
         step(s, drive);
-    } else if (s->n_ticks == 0) {
+    } else if (drive->kind == EXK_DRIVE_HELLO && s->n_ticks == 0) {
         answer(s, drive);
     }
 }

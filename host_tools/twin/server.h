@@ -3,7 +3,7 @@
  *  Run      begins with a hello, ends with a bye or one silent second. While it lasts, other runs are
  *           refused and said once: a machine obeys one controller.
  *  Answers  one for each drive, with the drive's tick. The same tick again gives the same answer again;
- *           an older one, and one of another run, gets none.
+ *           an older one, one of another run, and one of another rate (time_us is not k dt) gets none.
  *  Memory   the caller owns the struct and lends rig and bus.
  */
 #ifndef EXK_TWIN_SERVER_H
@@ -29,6 +29,7 @@ typedef struct {
     int64_t run_id;
     int64_t session_id;      /* names the process that drives: a run_id may come again */
     int64_t refused_session; /* said already */
+    bool other_rate;         /* said already */
     int64_t heard_us;
     int64_t seq;
     exk_wire_sensor answer; /* the newest */

@@ -27,7 +27,8 @@ static const struct {
                                 "following_mrad"},
     [EXK_QUANTITY_POSE] = {"pose", "", NO_PART, "move the hole or look at [machine]"},
     [EXK_QUANTITY_SAMPLES] = {"rejected sensor samples in a row", "", NO_PART,
-                              "check encoder and cable; status counts them by kind"},
+                              "check encoder and cable, on the bus the machine's process and "
+                              "the load of its host; status counts them by kind"},
     [EXK_QUANTITY_DEADLINES] = {"missed deadlines in a row", "", NO_PART,
                                 "grant real-time rights, lower [loop] rate_Hz, or end other "
                                 "programs"},

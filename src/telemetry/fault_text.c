@@ -58,11 +58,20 @@ static void say_what(const exk_fault_report *r, char out[WHAT_SIZE])
     say_quantity(r, out);
 }
 
+static const char *advice_of(const exk_fault_report *r)
+{
+    if (r->err == EXK_ERR_SILENT) {
+        return "is its process, for example exk-twin, still there, and does it say why? [loop] "
+               "answer_s is how long it is waited for";
+    }
+    return exk_quantity_advice(r->what.quantity);
+}
+
 void exk_fault_text(const exk_fault_report *r, char *out, size_t size)
 {
     char where[WHERE_SIZE];
     char what[WHAT_SIZE];
-    const char *advice = exk_quantity_advice(r->what.quantity);
+    const char *advice = advice_of(r);
     say_where(r, where);
     say_what(r, what);
     snprintf(out, size, "%s; %s%s%s", what, where, advice[0] == '\0' ? "" : "; ", advice);

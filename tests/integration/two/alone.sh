@@ -19,11 +19,38 @@ for how in --fast ""; do
     kill -9 "$twin"
     wait "$twin" 2>/dev/null
     ends "$loop" 1
-    expect_part exk-loop.err "exk-loop: fault: "
+    if [ -n "$how" ]; then
+        expect_part exk-loop.err "exk-loop: fault: no answer from the machine; tick "
+        expect_part exk-loop.err "; is its process, for example exk-twin, still there"
+    else
+        expect_part exk-loop.err "exk-loop: fault: rejected sensor samples in a row: 20, limit 20, the last one missing"
+        expect_part exk-loop.err "the machine's process"
+    fi
     expect_count dies.lcm state = fault
     machine p.ini --url="$url"
     twin=$started
 done
+
+# a twin of another rate is another machine: no answer, and it says why
+kill -9 "$twin"
+wait "$twin" 2>/dev/null
+sed 's/^rate_Hz *=.*/rate_Hz = 500/' p.ini >half.ini
+machine half.ini --url="$url"
+twin=$started
+expect_code 1 "$bin/exk-loop" p.ini --source bus --url="$url" --fast
+expect_part err "exk-loop: fault: no answer from the machine; tick 1, "
+expect_part exk-twin.err "is at 1000 us in tick 1, this machine's profile has ticks of 2000 us: it gets no answer; start exk-twin with the profile of the controller"
+[ "$(grep -c 'gets no answer' exk-twin.err)" -eq 1 ] || fail "said more than once"
+# a controller that was there first: what it asked before anybody could hear is not lost
+kill -9 "$twin"
+wait "$twin" 2>/dev/null
+sed 's/^answer_s *=.*/answer_s = 5/' p.ini >patient.ini
+start "$bin/exk-loop" patient.ini --source bus --url="$url" --fast
+loop=$started
+sleep 0.5
+expect_code 0 "$bin/exk-twin" p.ini --url="$url" --once
+ends "$loop" 0
+expect_part err "of its commands 0 were lost, 0 repeated, 0 out of order; 0 messages were none of its"
 
 # a second controller while one runs; one off the bus is free to run
 start "$bin/exk-loop" "$profiles/rectangle.ini" --url="$url" -q
