@@ -7,6 +7,8 @@
 #include "exk/args.h"
 #include "exk/version.h"
 
+static const double keep_max_s = 3600.0;
+
 enum { KEY_URL = 256, KEY_KEY, KEY_KEEP };
 
 static const char doc[] =
@@ -38,6 +40,15 @@ static const struct argp_option options[] = {
     {"quiet", 'q', NULL, 0, "No notes", 0},
     {0},
 };
+
+/* No profile waits longer (timeout_s), and the wait in milliseconds has to be a number. */
+static void take_keep(struct argp_state *state, const char *arg, command_options *out)
+{
+    out->keep_s = arg == NULL ? 0.2 : exk_args_positive(state, "--keep", arg, "seconds");
+    if (!(out->keep_s <= keep_max_s)) {
+        argp_error(state, "--keep %s: at most %g seconds are allowed", arg, keep_max_s);
+    }
+}
 
 static void take_word(struct argp_state *state, char *arg, command_options *out)
 {
@@ -73,7 +84,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         out->url = arg;
         return 0;
     case KEY_KEEP:
-        out->keep_s = arg == NULL ? 0.2 : exk_args_positive(state, "--keep", arg, "seconds");
+        take_keep(state, arg, out);
         return 0;
     case 'q':
         out->quiet = true;

@@ -53,6 +53,15 @@ static bool decode(const char *path, const char *text, size_t length, exk_key_se
     return whole;
 }
 
+static void say_unopened(const char *path, char *why, size_t why_size)
+{
+    const char *reason = errno == ELOOP
+                             ? "a symbolic link is not followed: name the file itself"
+                             : strerror(errno);
+    snprintf(why, why_size, "%s: cannot open the key: %s%s", path, reason,
+             errno == ENOENT ? " (exk-command keygen makes one)" : "");
+}
+
 bool exk_key_load(const char *path, exk_key_secret *out, char *why, size_t why_size)
 {
     char text[HEX_DIGITS + 2] = {0};
@@ -62,8 +71,7 @@ bool exk_key_load(const char *path, exk_key_secret *out, char *why, size_t why_s
     }
     const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (fd < 0) {
-        snprintf(why, why_size, "%s: cannot open the key: %s (exk-command keygen makes one)",
-                 path, strerror(errno));
+        say_unopened(path, why, why_size);
         return false;
     }
     bool good = is_private(path, fd, why, why_size);

@@ -65,6 +65,11 @@ expect_code 2 "$bin/exk-loop" p.ini --url="$url"
 expect_part err "op.key: cannot open the key: No such file or directory"
 expect_code 3 "$command" stop --key other.key --url="$url"
 expect_text err "exk-command: no controller is heard: is exk-loop running, and on this URL?"
+ln -s other.key link.key
+expect_code 2 "$command" stop --key link.key --url="$url"
+expect_text err "exk-command: link.key: cannot open the key: a symbolic link is not followed: name the file itself"
+expect_code 2 "$command" start --key other.key --keep=1e300
+expect_text err "exk-command: --keep 1e300: at most 3600 seconds are allowed"
 expect_code 2 "$command" jump --key other.key
 expect_part err "jump: start, stop, abort, clear, alive or keygen is allowed"
 exit 0
