@@ -118,6 +118,9 @@ static exk_store_err corrupt(char *why, size_t why_size, const char *path, const
 static exk_store_err check_frame(const char *path, const unsigned char *bytes, size_t n_bytes,
                                  char *why, size_t why_size)
 {
+    if (n_bytes == 0) { /* nobody's work: may be replaced */
+        return corrupt(why, why_size, path, "it is empty");
+    }
     if (n_bytes < sizeof magic || memcmp(bytes, magic, sizeof magic) != 0) {
         snprintf(why, why_size, "%s: not an ILC store (no EXKILC at its start)", path);
         return EXK_STORE_NOT_OURS;

@@ -46,6 +46,13 @@ expect_text err "exk-ilc: text.ilc: not an ILC store (no EXKILC at its start)"
 expect_code 2 "$bin/exk-ilc" train a.ini -n 1 -o text.ilc
 expect_text err "exk-ilc: text.ilc: exists and is not an ILC store: not overwritten; choose another name"
 
+# an empty file is nobody's work: refused as a store, but saved over
+: >empty.ilc
+expect_code 2 "$bin/exk-ilc" verify empty.ilc
+expect_text err "exk-ilc: empty.ilc: damaged ILC store: it is empty; train again or restore a copy of the file"
+expect_code 0 "$bin/exk-ilc" train a.ini -n 1 -o empty.ilc
+expect_code 0 "$bin/exk-ilc" verify empty.ilc a.ini
+
 # what cannot be a store at all: said, and nothing waits for a FIFO, as the store or as its previous one
 mkdir folder.ilc
 mkfifo fifo.ilc fifo_before.ilc.prev
