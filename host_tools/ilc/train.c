@@ -4,6 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "exk/fault_text.h"
 #include "exk/progress_line.h"
 #include "exk/series.h"
 #include "exk/stop_signal.h"
@@ -56,9 +57,14 @@ static void tell(training *t, const exk_accuracy *accuracy)
 
 static int run_failed(const training *t, exk_err err)
 {
+    char text[EXK_FAULT_TEXT_MAX];
     const exk_loop *loop = &t->rig.loop;
-    fprintf(stderr, "exk-ilc: run %" PRIu32 " ended by fault after tick %" PRId64 ": %s\n",
-            t->p, loop->last.k, exk_err_name(err));
+    if (loop->fault != EXK_OK) {
+        exk_fault_text(&loop->report, text, sizeof text);
+    } else {
+        snprintf(text, sizeof text, "%s", exk_err_name(err));
+    }
+    fprintf(stderr, "exk-ilc: run %" PRIu32 " ended by fault: %s\n", t->p, text);
     return ILC_MISSED;
 }
 
@@ -177,8 +183,7 @@ static int train_open(training *t)
         const int printed = print_json(t);
         code = code != ILC_GOOD ? code : printed;
     }
-    const bool whole = t->p > 1 && (code == ILC_GOOD || code == ILC_MISSED);
-    const int saved = whole ? save(t) : ILC_GOOD;
+    const int saved = t->p > 1 ? save(t) : ILC_GOOD; /* whatever ended the series */
     exk_series_close(&t->series);
     return saved != ILC_GOOD ? saved : code;
 }

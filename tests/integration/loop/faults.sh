@@ -33,6 +33,17 @@ kill -INT "$loop"
 wait "$loop" && fail "a run that a fault and a signal ended has exit code 0"
 expect_part err "the tool had not begun its way out of the part"
 
+# a series keeps what it learned before the run of which it learns nothing: a spike that only some noise shows
+cp "$profiles/machine.ini" some.ini
+printf '\n[fault.1]\nkind = spike\nchannel = alpha\nat_s = 1\nsize_mrad = 0.014\n' >>some.ini
+expect_code 2 "$bin/exk-ilc" train some.ini -n 40 -o some.ilc
+run=$(sed -n 's/^exk-ilc: run \([0-9]*\) had 1 rejected.*/\1/p' err)
+[ "$run" -gt 1 ] || fail "nothing was learned before run $run"
+expect_code 0 "$bin/exk-ilc" train some.ini -n $((run - 1)) -o before.ilc
+cmp some.ilc before.ilc || fail "the store is not that of the runs before run $run"
+expect_code 1 "$bin/exk-ilc" train long.ini -n 2
+expect_part err "run 1 ended by fault: rejected sensor samples in a row: 20, limit 20"
+
 # a limit: named with value, limit and the key to change; the same bytes again
 cp p.ini limit.ini
 printf '\n[limits]\nrate_radps = 0.05\n' >>limit.ini
