@@ -64,29 +64,6 @@ static exk_err command(exk_loop *loop)
     return exk_kin_legs(loop->cfg.kin, &q, out->legs_m);
 }
 
-/* The first leg beyond the stroke, its length asked without one. */
-static void explain_legs(const exk_loop *loop, exk_violation *what)
-{
-    const exk_tripod *tripod = &loop->cfg.kin->tripod;
-    double legs_m[EXK_N_LEGS];
-    exk_kin free = *loop->cfg.kin;
-    exk_joints q = loop->open_r;
-    free.tripod.l_min_m = 0.0;
-    free.tripod.l_max_m = (double)INFINITY;
-    q.angle_rad[EXK_ALPHA] = loop->open.q_rad[EXK_ALPHA];
-    q.angle_rad[EXK_BETA] = loop->open.q_rad[EXK_BETA];
-    if (exk_kin_legs(&free, &q, legs_m) != EXK_OK) {
-        return;
-    }
-    for (int i = EXK_N_LEGS - 1; i >= 0; i--) {
-        const bool is_short = legs_m[i] < tripod->l_min_m;
-        if (is_short || legs_m[i] > tripod->l_max_m) {
-            const double limit_m = is_short ? tripod->l_min_m : tripod->l_max_m;
-            *what = (exk_violation){EXK_QUANTITY_LEG, i, legs_m[i], limit_m};
-        }
-    }
-}
-
 /* The kinematics says that a leg or an angle is beyond its limit: which one, and by how much. */
 static void explain(const exk_loop *loop, exk_violation *what)
 {
@@ -94,7 +71,6 @@ static void explain(const exk_loop *loop, exk_violation *what)
     exk_joints q = loop->open_r;
     exk_excess excess;
     *what = (exk_violation){EXK_QUANTITY_POSE, 0, 0.0, 0.0};
-    explain_legs(loop, what);
     for (int i = 0; i < EXK_N_AXES; i++) {
         q.angle_rad[i] = loop->open.q_rad[i];
         if (!(fabs(q.angle_rad[i]) <= angle_max_rad)) {
