@@ -5,6 +5,7 @@
 #include "bus_url.h"
 #include "exk/bus.h"
 #include "exk/realtime.h"
+#include "exk/standard_streams.h"
 #include "exk/stop_signal.h"
 #include "options.h"
 
@@ -202,6 +203,7 @@ int main(int argc, char **argv)
 {
     command_options options;
     char why[WHY_MAX];
+    exk_standard_streams_hold();
     command_options_parse(argc, argv, &options);
     exk_stop_catch();
     if (!options.keygen) {

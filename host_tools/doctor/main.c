@@ -5,6 +5,7 @@
 #include "checks.h"
 #include "exk/bus.h"
 #include "exk/profile.h"
+#include "exk/standard_streams.h"
 #include "json_file.h"
 #include "options.h"
 #include "out_file.h"
@@ -29,6 +30,7 @@ int main(int argc, char **argv)
     char url[EXK_PATH_MAX];
     char why[2 * EXK_PATH_MAX];
     int code = 0;
+    exk_standard_streams_hold();
     doctor_options_parse(argc, argv, &opt);
     exk_bus_url(opt.url, url, sizeof url);
     if (!exk_bus_url_good(url, why, sizeof why)) {

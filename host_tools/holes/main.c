@@ -7,6 +7,7 @@
 #include "bus_url.h"
 #include "exk/log.h"
 #include "exk/plural.h"
+#include "exk/standard_streams.h"
 #include "files.h"
 #include "gnuplot.h"
 #include "live.h"
@@ -171,6 +172,7 @@ int main(int argc, char **argv)
 {
     holes_options opt;
     exk_run_log log;
+    exk_standard_streams_hold();
     holes_options_parse(argc, argv, &opt);
     exk_run_log_init(&log);
     int code = opt.live ? listen(&log, &opt) : read_log(&log, opt.log_path);

@@ -1,4 +1,5 @@
 #include "exk/args.h"
+#include "exk/standard_streams.h"
 #include "ilc_tool.h"
 
 int main(int argc, char **argv)
@@ -10,6 +11,7 @@ int main(int argc, char **argv)
         [ILC_TRAIN] = ilc_train,
     };
     ilc_options options;
+    exk_standard_streams_hold();
     ilc_options_parse(argc, argv, &options);
     const int code = run[options.command](&options);
     return exk_args_stdout_is_whole("exk-ilc") ? code : ILC_IO;

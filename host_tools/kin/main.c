@@ -2,6 +2,7 @@
 
 #include "csv_in.h"
 #include "exk/input.h"
+#include "exk/standard_streams.h"
 #include "options.h"
 #include "out_file.h"
 
@@ -100,6 +101,7 @@ int main(int argc, char **argv)
 {
     kin_options options;
     exk_kin kin;
+    exk_standard_streams_hold();
     kin_options_parse(argc, argv, &options);
     int rc = set_up(&options, &kin);
     if (rc != GOOD) {

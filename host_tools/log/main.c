@@ -9,6 +9,7 @@
 #include "exk/log.h"
 #include "exk/plural.h"
 #include "exk/progress_line.h"
+#include "exk/standard_streams.h"
 #include "options.h"
 #include "path_picture.h"
 #include "poses_csv.h"
@@ -193,6 +194,7 @@ int main(int argc, char **argv)
     exk_run_log log;
     char why[WHY_MAX];
     pose_sink sink = {.next_seq = -1};
+    exk_standard_streams_hold();
     log_options_parse(argc, argv, &opt);
     sink.quiet = opt.quiet;
     sink.on_progress = opt.from == NULL && exk_progress_wanted();

@@ -1,5 +1,6 @@
 #include <stdlib.h>
 
+#include "exk/standard_streams.h"
 #include "mpi_ranks.h"
 #include "study_tool.h"
 
@@ -11,6 +12,7 @@ int main(int argc, char **argv)
         [STUDY_BLOCK] = study_do_block,         [STUDY_MERGE] = study_do_merge,
     };
     study_options options;
+    exk_standard_streams_hold();
     study_options_parse(argc, argv, &options);
     study_mpi_begin();
     const int code = run[options.command](&options);

@@ -7,6 +7,7 @@
 
 #include "exk/realtime.h"
 #include "exk/solo.h"
+#include "exk/standard_streams.h"
 #include "exk/stop_signal.h"
 #include "exk/store.h"
 #include "options.h"
@@ -67,6 +68,7 @@ int main(int argc, char **argv)
 {
     twin_options options;
     exk_rig rig;
+    exk_standard_streams_hold();
     twin_options_parse(argc, argv, &options);
     exk_stop_catch();
     int code = exk_rig_open(&rig, options.profile_path);

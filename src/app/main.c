@@ -5,6 +5,7 @@
 
 #include "exk/args.h"
 #include "exk/rig.h"
+#include "exk/standard_streams.h"
 #include "exk/store.h"
 #include "options.h"
 #include "run.h"
@@ -74,6 +75,7 @@ int main(int argc, char **argv)
 {
     loop_options options;
     exk_rig rig;
+    exk_standard_streams_hold();
     loop_options_parse(argc, argv, &options);
     int code = exk_rig_open(&rig, options.profile_path);
     if (code != 0) {
