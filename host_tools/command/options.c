@@ -28,9 +28,9 @@ static const char doc[] =
     "The key is 64 hexadecimal digits in a file that its owner alone may read (mode\n"
     "0600).\n"
     "\n"
-    "Exit status: 0 the controller took the command; 1 it refused it, did not answer,\n"
-    "or its state has no use for it; 2 wrong use, or a key that is refused; 3 the bus failed, or no\n"
-    "controller is heard.";
+    "Exit status: 0 the controller took the command; 1 it refused it, did not\n"
+    "answer, or its state has no use for it; 2 wrong use, or a key that is refused;\n"
+    "3 the bus failed, or no controller is heard.";
 
 static const struct argp_option options[] = {
     {"key", KEY_KEY, "FILE", 0, "The key that the profile's key_file names", 0},
