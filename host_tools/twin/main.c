@@ -49,6 +49,8 @@ static int run(const twin_options *options, exk_rig *rig)
         return complain(EXIT_INPUT, why);
     }
     server = (twin_server){.rig = rig, .quiet = options->quiet, .machine_id = own_id()};
+    exk_rights_fifo(rig->profile.timing.priority -
+                    2); /* LCM's thread too; ordinary if refused */
     server.bus = exk_bus_open(url, true, why, sizeof why);
     if (server.bus == NULL || !exk_bus_listen(server.bus, EXK_CHANNEL_DRIVE,
                                               twin_server_receive, &server, why, sizeof why)) {

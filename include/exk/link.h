@@ -29,7 +29,8 @@ typedef struct {
     exk_realisation which; /* which noise a twin shall be */
     double dt_s;
     double answer_s;
-    bool fast; /* lock-step */
+    bool fast;    /* lock-step */
+    int priority; /* of the control thread; the paced link's threads ask for the one below it */
 } exk_link_config;
 
 typedef struct exk_link exk_link;

@@ -78,8 +78,14 @@ void exk_rights_ask(int priority, int cpu, exk_rights *out);
 /** Makes the calling thread an ordinary one on any CPU: for a helper thread started after the asking. */
 void exk_rights_drop(void);
 
+/** SCHED_FIFO for the calling thread and those it starts from now on; false: it stays ordinary. */
+bool exk_rights_fifo(int priority);
+
 /** A thread beside the control thread: an ordinary one whatever its maker is, with a stack of 1 MiB;
  *  signals stay with its maker. 0, or an errno. */
 int exk_helper_start(pthread_t *thread, void *(*work)(void *ctx), void *ctx);
+
+/** The same at a SCHED_FIFO priority, for what a step waits for; ordinary where it is refused or 0. */
+int exk_helper_start_at(int priority, pthread_t *thread, void *(*work)(void *ctx), void *ctx);
 
 #endif

@@ -137,6 +137,7 @@ static bool open_link(const loop_options *options, loop_ticks *r, const exk_run_
         .which = {.seed = timing->seed, .series = info->series, .run = info->run},
         .dt_s = timing->dt_s,
         .answer_s = timing->answer_s,
+        .priority = timing->priority,
         .fast = options->fast,
     };
     if (!drives_bus(r->rig)) {

@@ -1,6 +1,7 @@
 #define _DEFAULT_SOURCE
 #include <inttypes.h>
 #include <math.h>
+#include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -113,11 +114,25 @@ static bool greet(exk_link *link, char *why, size_t why_size)
     return true;
 }
 
+/* LCM starts a thread of its own here, which gets the rights of its maker: an answer passes through it. */
+static bool listen_to_machine(exk_link *link, char *why, size_t why_size)
+{
+    struct sched_param own = {0};
+    const int policy = sched_getscheduler(0);
+    const bool asked = !link->cfg.fast && policy >= 0 && sched_getparam(0, &own) == 0 &&
+                       exk_rights_fifo(link->cfg.priority - 1);
+    const bool good =
+        exk_bus_listen(link->in, EXK_CHANNEL_SENSOR, link_receive, link, why, why_size);
+    if (asked) {
+        sched_setscheduler(0, policy, &own);
+    }
+    return good;
+}
+
 static bool open_buses(exk_link *link, char *why, size_t why_size)
 {
     link->in = exk_bus_open(link->cfg.url, true, why, why_size);
-    if (link->in == NULL ||
-        !exk_bus_listen(link->in, EXK_CHANNEL_SENSOR, link_receive, link, why, why_size)) {
+    if (link->in == NULL || !listen_to_machine(link, why, why_size)) {
         return false;
     }
     link->out = link->cfg.fast ? link->in : exk_bus_open(link->cfg.url, false, why, why_size);

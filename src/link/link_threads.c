@@ -53,10 +53,11 @@ static void *write_drives(void *ctx)
 
 int link_start_threads(exk_link *link)
 {
-    int error = exk_helper_start(&link->reader, read_answers, link);
+    const int priority = link->cfg.priority - 1;
+    int error = exk_helper_start_at(priority, &link->reader, read_answers, link);
     link->has_reader = error == 0;
     if (error == 0) {
-        error = exk_helper_start(&link->writer, write_drives, link);
+        error = exk_helper_start_at(priority, &link->writer, write_drives, link);
         link->has_writer = error == 0;
     }
     return error;

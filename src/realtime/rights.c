@@ -8,7 +8,7 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 
-static bool ask_fifo(int priority)
+bool exk_rights_fifo(int priority)
 {
     const struct sched_param param = {.sched_priority = priority};
     return priority > 0 && sched_setscheduler(0, SCHED_FIFO, &param) == 0;
@@ -42,7 +42,7 @@ void exk_rights_ask(int priority, int cpu, exk_rights *out)
     out->locked = mlockall(MCL_CURRENT) == 0;
     prefault_stack();
     out->pinned = ask_cpu(cpu);
-    out->fifo = ask_fifo(priority);
+    out->fifo = exk_rights_fifo(priority);
     if (out->fifo) {
         snprintf(fifo, sizeof fifo, "FIFO %d", priority);
     } else {

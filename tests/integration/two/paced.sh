@@ -3,9 +3,25 @@
 . "$(dirname "$0")/common.sh"
 short p.ini -e 's/^\[loop\]/[loop]\nsource = bus\nmissed_max = 100000\nbad_max = 100000/'
 machine p.ini --url="$url"
-expect_code 0 "$bin/exk-loop" p.ini --url="$url" -r run.lcm
-expect_part out "4 of 4 holes drilled"
-expect_part out "machine on the bus: "
+# fifo_threads ID: how many of a process's threads run under SCHED_FIFO (field 41 of stat, 39 behind the name)
+fifo_threads() { cat /proc/"$1"/task/*/stat | sed 's/.*) //' | awk '$39 == 1 {n++} END {print n + 0}'; }
+twin=$started
+start "$bin/exk-loop" p.ini --url="$url" -r run.lcm
+loop=$started
+for ((i = 0; i < 100; i++)); do
+    grep -q "memory lock" exk-loop.err && break
+    sleep 0.02
+done
+loop_fifo=$(fifo_threads "$loop")
+twin_fifo=$(fifo_threads "$twin")
+ends "$loop" 0
+# every hop of an answer: LCM's thread and ours at both ends, the one that sends, the control thread
+if grep -q "exk-loop: FIFO" exk-loop.err && ! grep -q "FIFO refused" exk-loop.err; then
+    [ "$loop_fifo" -eq 4 ] || fail "$loop_fifo threads of exk-loop have FIFO, not 4"
+    [ "$twin_fifo" -eq 2 ] || fail "$twin_fifo threads of exk-twin have FIFO, not 2"
+fi
+expect_part exk-loop.out "4 of 4 holes drilled"
+expect_part exk-loop.out "machine on the bus: "
 expect_count run.lcm state = done
 expect_count run.lcm foreign -eq 0
 expect_count run.lcm repeated -eq 0
