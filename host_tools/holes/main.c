@@ -46,7 +46,7 @@ static int listen(exk_run_log *log, const holes_options *opt)
     return code == 0 ? 0 : complain(code, why);
 }
 
-static void note_log(const exk_run_log *log)
+static void note_file(const exk_run_log *log)
 {
     if (log->truncated) {
         fprintf(stderr, "exk-holes: the log ends inside a record: %zu whole sample%s judged\n",
@@ -67,6 +67,10 @@ static void note_log(const exk_run_log *log)
                 " message%s of other runs left out: only the first run of a log is judged\n",
                 log->n_other_run, exk_plural_s(log->n_other_run));
     }
+}
+
+static void note_run(const exk_run_log *log)
+{
     if (log->has_status && log->status.state == EXK_STATE_FAULT) {
         fprintf(stderr, "exk-holes: the run ended by a fault: %s\n", log->status.reason);
     }
@@ -159,7 +163,8 @@ static int judge(const exk_run_log *log, const holes_options *opt)
         return complain(refused, why);
     }
     if (!opt->quiet) {
-        note_log(log);
+        note_file(log);
+        note_run(log);
         note_report(&report);
     }
     const int code = write_results(&report, opt);

@@ -1,10 +1,11 @@
 #define _POSIX_C_SOURCE 200809L
 #include <argp.h>
-#include <errno.h>
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "exk/args.h"
 #include "exk/version.h"
 #include "experiments.h"
 #include "study_tool.h"
@@ -76,17 +77,14 @@ static const char *const commands[] = {
     [STUDY_CALIBRATE] = "calibrate", [STUDY_SENSITIVITY] = "sensitivity",
     [STUDY_BLOCK] = "block",         [STUDY_MERGE] = "merge"};
 
-static uint64_t whole(struct argp_state *state, const char *what, const char *arg, uint64_t min,
-                      uint64_t max, uint64_t multiple)
+/* Trials come in tens, and in blocks of fifty. */
+static uint64_t trials(struct argp_state *state, const char *what, const char *arg,
+                       uint64_t min, uint64_t multiple)
 {
-    char *end = NULL;
-    errno = 0;
-    const unsigned long long value = strtoull(arg, &end, 10);
-    if (errno != 0 || end == arg || *end != '\0' || arg[0] == '-' || value < min ||
-        value > max || value % multiple != 0) {
-        argp_error(state, "%s %s: a multiple of %llu from %llu to %llu is allowed", what, arg,
-                   (unsigned long long)multiple, (unsigned long long)min,
-                   (unsigned long long)max);
+    const uint64_t max = UINT32_MAX / 10 * 10;
+    const uint64_t value = exk_args_whole(state, what, arg, min, max);
+    if (value % multiple != 0) {
+        argp_error(state, "%s %s: a multiple of %" PRIu64 " is allowed", what, arg, multiple);
     }
     return value;
 }
@@ -187,19 +185,18 @@ static error_t parse_file(int key, char *arg, study_options *out)
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     study_options *out = state->input;
-    const uint64_t max = UINT32_MAX / 10 * 10;
     switch (key) {
     case KEY_SEEDS:
-        out->n_seeds = whole(state, "--seeds", arg, 10, max, 10);
+        out->n_seeds = trials(state, "--seeds", arg, 10, 10);
         return 0;
     case 'j':
-        out->n_threads = (int)whole(state, "-j", arg, 1, 1024, 1);
+        out->n_threads = (int)exk_args_whole(state, "-j", arg, 1, 1024);
         return 0;
     case KEY_FROM:
-        out->from = whole(state, "--from", arg, 0, max, 50);
+        out->from = trials(state, "--from", arg, 0, 50);
         return 0;
     case KEY_TO:
-        out->to = whole(state, "--to", arg, 10, max, 10);
+        out->to = trials(state, "--to", arg, 10, 10);
         return 0;
     case KEY_ONLY:
         out->only = arg;
