@@ -48,7 +48,7 @@ typedef struct {
     exk_limits_config limits; /* dt_s 0: unlimited */
     double wait_s;            /* at rest before backing out of the part */
     bool waits;               /* IDLE until start is asked for */
-    exk_capture *capture;     /* NULL: none; frozen by the first fault of a run */
+    exk_capture *capture;     /* NULL: none; frozen by a fault until its owner resets it */
 } exk_loop_config;
 
 /** Why the loop is in EXK_STATE_FAULT. */

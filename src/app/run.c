@@ -281,10 +281,12 @@ static int run_ticks(const loop_options *options, loop_ticks *r, const exk_run_i
     }
     r->progress.n_ticks = r->rig->plan.n_ticks;
     r->progress.n_holes = (int32_t)r->rig->n_holes;
+    loop_keeper keeper;
+    loop_keeper_start(&keeper, r, info);
     loop_progress_start(&r->progress, !options->quiet);
     loop_ticks_run(r);
     int code = finish(options, r);
-    if (!loop_capture_write(r, info)) {
+    if (!loop_keeper_stop(&keeper)) {
         code = EXIT_IO;
     }
     close_bus(r);

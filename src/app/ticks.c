@@ -51,6 +51,23 @@ static void note_bus(loop_ticks *t)
     }
 }
 
+static void hand_ring_over(loop_ticks *t)
+{
+    exk_capture *capture = t->rig->loop.cfg.capture;
+    const bool faulty = t->rig->loop.sm.state == EXK_STATE_FAULT;
+    const int ring = atomic_load_explicit(&t->ring, memory_order_acquire);
+    if (capture == NULL) {
+        return;
+    }
+    if (faulty && capture->frozen && ring == LOOP_RING_FILLS) {
+        t->fault_record = t->record;
+        atomic_store_explicit(&t->ring, LOOP_RING_LENT, memory_order_release);
+    } else if (!faulty && ring == LOOP_RING_WRITTEN) {
+        exk_capture_reset(capture);
+        atomic_store_explicit(&t->ring, LOOP_RING_FILLS, memory_order_release);
+    }
+}
+
 /* The record of tick k, whose sample is there. False: this was the last one. */
 static bool close_tick(loop_ticks *t, int64_t k)
 {
@@ -62,6 +79,7 @@ static bool close_tick(loop_ticks *t, int64_t k)
     }
     exk_record_loop(&t->record, loop);
     note_bus(t);
+    hand_ring_over(t);
     exk_publisher_push(t->publisher, &t->record);
     note_progress(t, k);
     return !over;

@@ -7,12 +7,17 @@
 #ifndef EXK_LOOP_TICKS_H
 #define EXK_LOOP_TICKS_H
 
+#include <stdatomic.h>
+
 #include "exk/command.h"
 #include "exk/link.h"
 #include "exk/realtime.h"
 #include "exk/rig.h"
 #include "exk/telemetry.h"
 #include "progress.h"
+
+/** Who has the capture ring: the loop fills it, a fault lends it to be written, clear takes it back. */
+typedef enum { LOOP_RING_FILLS, LOOP_RING_LENT, LOOP_RING_WRITTEN } loop_ring;
 
 typedef struct {
     exk_rig *rig;
@@ -29,6 +34,8 @@ typedef struct {
     int64_t k_rest;    /* tick on which nothing moved any more, -1: none */
     int64_t k_command; /* tick of the last valid command */
     bool fast;
+    _Atomic int ring;        /* loop_ring */
+    exk_record fault_record; /* of the tick at which the ring was lent */
 } loop_ticks;
 
 /** Runs to the end of the job, a fault that came to rest, or a signal. */

@@ -198,8 +198,7 @@ static void clear_leads_back_to_idle_and_the_run_goes_on(void)
     TEST_ASSERT_EQUAL(EXK_STATE_IDLE, loop.sm.state);
     TEST_ASSERT_EQUAL(EXK_OK, loop.fault);
     TEST_ASSERT_EQUAL_INT64(-1, loop.report.k);
-    TEST_ASSERT_TRUE(
-        capture.frozen); /* of the first fault of the run, to be written at its end */
+    TEST_ASSERT_TRUE(capture.frozen); /* until its owner has written it */
     TEST_ASSERT_EQUAL(EXK_OK, step());
     TEST_ASSERT_TRUE(exk_loop_request(&loop, EXK_CAUSE_START, loop.motion.k + 1));
     steps_until_over();

@@ -45,6 +45,35 @@ says "state idle" "$command" alive --key op.key
 kill -INT "$loop"
 ends "$loop" 1
 
+rm -f run.fault*.lcm
+
+# each fault of a run has its samples, written while the run goes on; they end with the fault
+start "$bin/exk-loop" p.ini --url="$url" -r run.lcm
+loop=$started
+sleep 0.5
+for file in run.fault.lcm run.fault2.lcm; do
+    [ -e $file ] && fail "$file is there before its fault"
+    says "start: taken" "$command" start --key op.key
+    sleep 0.2
+    says "abort: taken" "$command" abort --key op.key
+    for _ in $(seq 40); do
+        [ -e $file ] && break
+        sleep 0.05
+    done
+    [ -e $file ] || fail "$file is not written while the run goes on"
+    says "clear: taken" "$command" clear --key op.key
+done
+kill -INT "$loop"
+ends "$loop" 1
+for file in run.fault.lcm run.fault2.lcm; do
+    expect_code 0 "$bin/exk-log" --from $file --csv fault.csv
+    awk -F, 'NR > 2 && $2 <= k {exit 1} {k = $2} END {if (NR < 100) exit 1}' fault.csv ||
+        fail "$file has no samples in order"
+    sed -n '$p' fault.csv | cut -d, -f2 >last.$file
+done
+[ "$(cat last.run.fault.lcm)" -lt "$(sed -n 2p fault.csv | cut -d, -f2)" ] ||
+    fail "the second capture has samples of the first"
+
 # a profile that does not allow them looks at none
 sed 's/^allow = yes/allow = no/; s/^wait = yes/wait = no/' p.ini >deaf.ini
 start "$bin/exk-loop" deaf.ini --url="$url" -r run.lcm
