@@ -52,5 +52,6 @@ if(HELP2MAN AND NOT EXK_INSTRUMENTED AND NOT CMAKE_CROSSCOMPILING)
         list(APPEND pages ${page})
     endforeach()
     add_custom_target(man_pages ALL DEPENDS ${pages})
+    add_dependencies(programs man_pages) # so that what ./drill built can be installed
     install(FILES ${pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endif()
