@@ -7,7 +7,6 @@
  * Values are rounded to four digits, so that the profiles can be read. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "exk/units.h"
 #include "fit.h"
@@ -121,12 +120,5 @@ static int calibrate(const study_options *options, study_paper *paper)
 
 int study_do_calibrate(const study_options *options)
 {
-    study_paper *paper = calloc(1, sizeof *paper);
-    int code =
-        paper == NULL ? STUDY_IO : study_paper_init(paper, options->profiles, STUDY_ALL_PARTS);
-    if (code == STUDY_GOOD) {
-        code = calibrate(options, paper);
-    }
-    free(paper);
-    return code;
+    return study_with_paper(options, STUDY_ALL_PARTS, calibrate);
 }

@@ -109,15 +109,15 @@ static int run_block(const study_options *options, study_paper *paper)
     return study_run_part(&paper->task, &work, options->from, options->to, options->output);
 }
 
-static int with_paper(const study_options *options,
-                      int (*act)(const study_options *, study_paper *))
+int study_with_paper(const study_options *options, uint32_t parts,
+                     int (*act)(const study_options *options, study_paper *paper))
 {
     study_paper *paper = calloc(1, sizeof *paper);
-    int code = paper == NULL ? STUDY_IO
-                             : study_paper_init(paper, options->profiles, options->parts_run);
-    if (code == STUDY_GOOD) {
-        code = check_also(options);
+    if (paper == NULL) {
+        fprintf(stderr, "exk-study: out of memory\n");
+        return STUDY_IO;
     }
+    int code = study_paper_init(paper, options->profiles, parts);
     if (code == STUDY_GOOD) {
         paper->by_steps = options->by_steps;
         code = act(options, paper);
@@ -126,17 +126,24 @@ static int with_paper(const study_options *options,
     return code;
 }
 
+static int act_on_parts(const study_options *options,
+                        int (*act)(const study_options *options, study_paper *paper))
+{
+    const int code = check_also(options);
+    return code != STUDY_GOOD ? code : study_with_paper(options, options->parts_run, act);
+}
+
 int study_do_paper(const study_options *options)
 {
-    return with_paper(options, run_and_show);
+    return act_on_parts(options, run_and_show);
 }
 
 int study_do_merge(const study_options *options)
 {
-    return with_paper(options, merge_and_show);
+    return act_on_parts(options, merge_and_show);
 }
 
 int study_do_block(const study_options *options)
 {
-    return with_paper(options, run_block);
+    return act_on_parts(options, run_block);
 }

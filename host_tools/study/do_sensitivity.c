@@ -3,7 +3,6 @@
  * the eight verdicts. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "exk/units.h"
 #include "fit.h"
@@ -175,12 +174,5 @@ static int run_rows(const study_options *options, study_paper *paper)
 
 int study_do_sensitivity(const study_options *options)
 {
-    study_paper *paper = calloc(1, sizeof *paper);
-    int code =
-        paper == NULL ? STUDY_IO : study_paper_init(paper, options->profiles, STUDY_ALL_PARTS);
-    if (code == STUDY_GOOD) {
-        code = run_rows(options, paper);
-    }
-    free(paper);
-    return code;
+    return study_with_paper(options, STUDY_ALL_PARTS, run_rows);
 }

@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "paper.h"
 #include "work.h"
 
 typedef enum {
@@ -47,6 +48,10 @@ int study_do_merge(const study_options *options);
 int study_do_compare(const study_options *options);
 int study_do_calibrate(const study_options *options);
 int study_do_sensitivity(const study_options *options);
+
+/** Acts on the experiments of parts (bits of study_part), step by step where the options say so. */
+int study_with_paper(const study_options *options, uint32_t parts,
+                     int (*act)(const study_options *options, study_paper *paper));
 
 /** Threads and folders of a run from the options; n_seeds trials. */
 study_work study_work_of(const study_options *options, uint64_t n_seeds);
