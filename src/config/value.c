@@ -159,7 +159,8 @@ static const char *read_word(const exk_key *key, const char *text, void *field)
 static const char *read_text(const char *text, void *field)
 {
     const size_t length = strlen(text);
-    if (length == 0) {
+    if (length == 0 ||
+        text[0] == ';') { /* "file =; note" is a comment to people, but not to inih */
         return "no value";
     }
     if (length >= EXK_PATH_MAX) {
