@@ -2,7 +2,6 @@
 #include "run.h"
 
 #include <inttypes.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -305,7 +304,6 @@ int loop_run(const loop_options *options, exk_rig *rig, const exk_store *store)
     }
     describe(options, &r, which, &info);
     exk_stop_catch();
-    signal(SIGPIPE, SIG_IGN);
     const int code = open_all(options, &r, &info, store);
     return code != 0 ? code : run_ticks(options, &r, &info);
 }

@@ -23,6 +23,7 @@ void exk_stop_catch(void)
     if (sigaction(SIGHUP, NULL, &before) == 0 && before.sa_handler != SIG_IGN) {
         sigaction(SIGHUP, &action, NULL);
     }
+    signal(SIGPIPE, SIG_IGN);
 }
 
 int exk_stop_signal(void)

@@ -20,6 +20,11 @@ cmp fast.lcm as_ever.lcm || fail "a closed standard input changed the log"
 code_of "$bin/exk-ilc" train p.ini -n 1 -o p.ilc <&- >&- 2>&-
 [ "$code" -eq 3 ] || fail "a lost table ended with $code"
 expect_code 0 "$bin/exk-ilc" verify p.ilc p.ini
+# a reader that goes (| head) does not cost what was learned
+(sleep 0.3; code_of "$bin/exk-ilc" train p.ini -n 2 -o pipe.ilc; echo "$code" >code) | true
+while [ ! -s code ]; do sleep 0.1; done
+[ "$(cat code)" -eq 3 ] || fail "a table that nobody read ended with $(cat code)"
+expect_code 0 "$bin/exk-ilc" verify pipe.ilc p.ini
 code_of "$bin/exk-kin" inverse --model pendulum <&- 2>err
 [ "$code" -eq 3 ] || { cat err; fail "no standard input to read ended with $code"; }
 exit 0

@@ -52,6 +52,14 @@ expect_code 0 "$bin/exk-twin" p.ini --url="$url" --once
 ends "$loop" 0
 expect_part err "of its commands 0 were lost, 0 repeated, 0 out of order; 0 messages were none of its"
 
+# whoever reads its notes may go: the machine stays
+(sleep 0.3; exec "$bin/exk-twin" p.ini --url="$url") 2> >(true) &
+children="$children $!"
+sleep 0.6
+for _ in 1 2; do
+    expect_code 0 "$bin/exk-loop" patient.ini --source bus --url="$url" --fast
+done
+
 # a second controller while one runs; one off the bus is free to run
 start "$bin/exk-loop" "$profiles/rectangle.ini" --url="$url" -q
 loop=$started
