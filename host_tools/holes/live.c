@@ -82,6 +82,25 @@ static void follow(exk_bus *bus, listener *self, double seconds, bool progress)
     }
 }
 
+/* What was heard can be judged, or why says why not. */
+static int judge_heard(const listener *self, const char *url, char *why, size_t why_size)
+{
+    if (self->no_memory) {
+        snprintf(why, why_size, "%s: out of memory after %zu samples", url,
+                 self->log->n_samples);
+        return 3;
+    }
+    if (self->log->n_samples == 0) {
+        snprintf(
+            why, why_size,
+            "%s: no EXK_POSE message heard: start exk-loop on this URL, and check the route "
+            "with exk-doctor",
+            url);
+        return 2;
+    }
+    return 0;
+}
+
 int hole_live_listen(exk_run_log *log, const char *url, double seconds, bool quiet, char *why,
                      size_t why_size)
 {
@@ -103,17 +122,5 @@ int hole_live_listen(exk_run_log *log, const char *url, double seconds, bool qui
     exk_stop_catch();
     follow(bus, &self, seconds, !quiet && exk_progress_wanted());
     exk_bus_close(bus);
-    if (self.no_memory) {
-        snprintf(why, why_size, "%s: out of memory after %zu samples", url, log->n_samples);
-        return 3;
-    }
-    if (log->n_samples == 0) {
-        snprintf(
-            why, why_size,
-            "%s: no EXK_POSE message heard: start exk-loop on this URL, and check the route "
-            "with exk-doctor",
-            url);
-        return 2;
-    }
-    return 0;
+    return judge_heard(&self, url, why, why_size);
 }

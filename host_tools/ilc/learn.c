@@ -1,4 +1,5 @@
 #include <inttypes.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -45,40 +46,45 @@ static size_t count_bad(const exk_run_log *log)
     return n_bad;
 }
 
+/* Nothing is learned from this log, and why. */
+__attribute__((format(printf, 2, 3))) static int refuse(const ilc_options *options,
+                                                        const char *format, ...)
+{
+    va_list values;
+    fprintf(stderr, "exk-ilc: %s: ", options->input);
+    va_start(values, format);
+    vfprintf(stderr, format, values);
+    va_end(values);
+    fputc('\n', stderr);
+    return ILC_INPUT;
+}
+
 static int refuse_log(const ilc_options *options, const exk_run_log *log)
 {
     const size_t n_bad = count_bad(log);
     if (!log->has_job) {
-        fprintf(stderr,
-                "exk-ilc: %s: no EXK_JOB in it: the job it belongs to is not known; record it "
-                "again "
-                "with exk-loop --record or exk-log\n",
-                options->input);
-        return ILC_INPUT;
+        return refuse(options,
+                      "no EXK_JOB in it: the job it belongs to is not known; record it "
+                      "again with exk-loop --record or exk-log");
     }
     if (log->n_lost > 0) {
-        fprintf(stderr,
-                "exk-ilc: %s: %" PRId64
-                " samples lost on the way: nothing is learned; record with exk-loop "
-                "--record\n",
-                options->input, log->n_lost);
-        return ILC_INPUT;
+        return refuse(options,
+                      "%" PRId64 " sample%s lost on the way: nothing is learned; record with "
+                      "exk-loop --record",
+                      log->n_lost, exk_plural_s(log->n_lost));
     }
     if (log->has_status && log->status.loop.n_held > 0) {
-        fprintf(stderr,
-                "exk-ilc: %s: the run was held for %" PRId64
-                " ticks: its samples do not stand where the plan has them; nothing is "
-                "learned\n",
-                options->input, log->status.loop.n_held);
-        return ILC_INPUT;
+        return refuse(options,
+                      "the run was held for %" PRId64 " tick%s: its samples do not stand where "
+                      "the plan has them; nothing is learned",
+                      log->status.loop.n_held, exk_plural_s(log->status.loop.n_held));
     }
     if (n_bad > 0 && !options->allow_bad) {
-        fprintf(stderr,
-                "exk-ilc: %s: %zu rejected sensor samples: nothing is learned; --allow-bad "
-                "learns all the "
-                "same\n",
-                options->input, n_bad);
-        return ILC_INPUT;
+        return refuse(
+            options,
+            "%zu rejected sensor sample%s: nothing is learned; --allow-bad learns all "
+            "the same",
+            n_bad, exk_plural_s((int64_t)n_bad));
     }
     return ILC_GOOD;
 }
@@ -108,12 +114,10 @@ static int learn_and_save(const ilc_options *options, const exk_run_log *log,
 {
     const size_t n_missing = fill(series, log);
     if (!((double)n_missing <= missing_max * (double)series->n)) {
-        fprintf(
-            stderr,
-            "exk-ilc: %s: %zu of %zu ticks are missing, at most %g %% are allowed: nothing is "
-            "learned; record a whole run\n",
-            options->input, n_missing, series->n, 100.0 * missing_max);
-        return ILC_INPUT;
+        return refuse(options,
+                      "%zu of %zu ticks are missing, at most %g %% are allowed: nothing is "
+                      "learned; record a whole run",
+                      n_missing, series->n, 100.0 * missing_max);
     }
     if (n_missing > 0) {
         fprintf(stderr,
@@ -122,11 +126,9 @@ static int learn_and_save(const ilc_options *options, const exk_run_log *log,
     }
     const exk_err err = exk_series_learn(series);
     if (err != EXK_OK) {
-        fprintf(
-            stderr,
-            "exk-ilc: %s: the update is refused: %s; check ilc_gain and the run's samples\n",
-            options->input, exk_err_name(err));
-        return ILC_INPUT;
+        return refuse(options,
+                      "the update is refused: %s; check ilc_gain and the run's samples",
+                      exk_err_name(err));
     }
     return save(options, log, series);
 }

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "exk/fault_text.h"
+#include "exk/plural.h"
 #include "exk/progress_line.h"
 #include "exk/series.h"
 #include "exk/stop_signal.h"
@@ -85,9 +86,9 @@ static int iterate(training *t, double *last_mm)
     if (t->series.n_bad > 0 && !t->options->allow_bad) {
         fprintf(stderr,
                 "exk-ilc: run %" PRIu32 " had %" PRId64
-                " rejected sensor samples: nothing is learned from "
+                " rejected sensor sample%s: nothing is learned from "
                 "it; --allow-bad learns all the same\n",
-                t->p, t->series.n_bad);
+                t->p, t->series.n_bad, exk_plural_s(t->series.n_bad));
         return ILC_INPUT;
     }
     err = exk_series_learn(&t->series);
