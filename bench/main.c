@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "bench.h"
+#include "exk/args.h"
 #include "exk/version.h"
 
 enum { CASES_MAX = 32, EXIT_INPUT = 2, EXIT_IO = 3 };
@@ -65,9 +66,7 @@ int main(int argc, char **argv)
     static const struct argp argp = {options, parse, NULL, doc, NULL, NULL, NULL};
     static bench_case cases[CASES_MAX];
     bool json = false;
-    argp_program_version = "exk-bench " EXK_VERSION;
-    argp_err_exit_status = EXIT_INPUT;
-    argp_parse(&argp, argc, argv, 0, NULL, &json);
+    exk_args_parse(&argp, "exk-bench " EXK_VERSION, argc, argv, &json);
     size_t n = bench_core_cases(cases, CASES_MAX);
     const size_t n_step = bench_step_cases(cases + n, CASES_MAX - n);
     if (n_step == 0) {

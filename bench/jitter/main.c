@@ -173,9 +173,7 @@ int main(int argc, char **argv)
     jitter_options o = {.what = {.seconds = 20.0, .n_pairs = 10, .cpu = 1}};
     int n = 0;
     int code = 0;
-    argp_program_version = "exk-jitter " EXK_VERSION;
-    argp_err_exit_status = EXIT_INPUT;
-    argp_parse(&argp, argc, argv, 0, NULL, &o);
+    exk_args_parse(&argp, "exk-jitter " EXK_VERSION, argc, argv, &o);
     for (int i = 0; code == 0 && i < CASES; i++) {
         if (wanted(&o, i)) {
             results[n].what = o.what;

@@ -107,8 +107,6 @@ void command_options_parse(int argc, char **argv, command_options *out)
 {
     static const struct argp argp = {options, parse, "COMMAND\nkeygen FILE", doc, NULL,
                                      NULL,    NULL};
-    argp_program_version = "exk-command " EXK_VERSION;
-    argp_err_exit_status = 2;
     *out = (command_options){.url = NULL};
-    argp_parse(&argp, argc, argv, 0, NULL, out);
+    exk_args_parse(&argp, "exk-command " EXK_VERSION, argc, argv, out);
 }

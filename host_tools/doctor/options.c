@@ -2,6 +2,7 @@
 
 #include <argp.h>
 
+#include "exk/args.h"
 #include "exk/version.h"
 
 enum { KEY_URL = 256, KEY_JSON };
@@ -48,8 +49,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 void doctor_options_parse(int argc, char **argv, doctor_options *out)
 {
     static const struct argp argp = {options, parse, NULL, doc, NULL, NULL, NULL};
-    argp_program_version = "exk-doctor " EXK_VERSION;
-    argp_err_exit_status = 2;
     *out = (doctor_options){.url = NULL};
-    argp_parse(&argp, argc, argv, 0, NULL, out);
+    exk_args_parse(&argp, "exk-doctor " EXK_VERSION, argc, argv, out);
 }

@@ -138,8 +138,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 void holes_options_parse(int argc, char **argv, holes_options *out)
 {
     static const struct argp argp = {options, parse, "LOG\n--live", doc, NULL, NULL, NULL};
-    argp_program_version = "exk-holes " EXK_VERSION;
-    argp_err_exit_status = 2;
     *out = (holes_options){.log_path = NULL};
-    argp_parse(&argp, argc, argv, 0, NULL, out);
+    exk_args_parse(&argp, "exk-holes " EXK_VERSION, argc, argv, out);
 }

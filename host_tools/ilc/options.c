@@ -118,8 +118,6 @@ void ilc_options_parse(int argc, char **argv, ilc_options *out)
         options, parse, "learn LOG -o STORE\ntrain PROFILE\nshow STORE\nverify STORE [PROFILE]",
         doc,     NULL,  NULL,
         NULL};
-    argp_program_version = "exk-ilc " EXK_VERSION;
-    argp_err_exit_status = ILC_INPUT;
     *out = (ilc_options){.n_runs = 5};
-    argp_parse(&argp, argc, argv, 0, NULL, out);
+    exk_args_parse(&argp, "exk-ilc " EXK_VERSION, argc, argv, out);
 }

@@ -3,6 +3,7 @@
 #include <argp.h>
 #include <string.h>
 
+#include "exk/args.h"
 #include "exk/version.h"
 #include "exk/wrist.h"
 
@@ -133,8 +134,6 @@ void kin_options_parse(int argc, char **argv, kin_options *out)
 {
     static const struct argp argp = {options, parse, "inverse\nforward\njacobian", doc, NULL,
                                      NULL,    NULL};
-    argp_program_version = "exk-kin " EXK_VERSION;
-    argp_err_exit_status = 2;
     *out = (kin_options){.wrist = EXK_WRIST_AB};
-    argp_parse(&argp, argc, argv, 0, NULL, out);
+    exk_args_parse(&argp, "exk-kin " EXK_VERSION, argc, argv, out);
 }

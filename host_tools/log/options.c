@@ -146,8 +146,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 void log_options_parse(int argc, char **argv, log_options *out)
 {
     static const struct argp argp = {options, parse, "LOG\n--from FILE", doc, NULL, NULL, NULL};
-    argp_program_version = "exk-log " EXK_VERSION;
-    argp_err_exit_status = 2;
     *out = (log_options){.log_path = NULL};
-    argp_parse(&argp, argc, argv, 0, NULL, out);
+    exk_args_parse(&argp, "exk-log " EXK_VERSION, argc, argv, out);
 }

@@ -225,11 +225,9 @@ void study_options_parse(int argc, char **argv, study_options *out)
         options, parse, "paper\ncompare\ncalibrate\nsensitivity\nblock\nmerge PART...",
         doc,     NULL,  NULL,
         NULL};
-    argp_program_version = "exk-study " EXK_VERSION;
-    argp_err_exit_status = STUDY_INPUT;
     *out = (study_options){.parts = calloc((size_t)argc, sizeof *out->parts),
                            .parts_run = STUDY_ALL_PARTS};
-    argp_parse(&argp, argc, argv, 0, NULL, out);
+    exk_args_parse(&argp, "exk-study " EXK_VERSION, argc, argv, out);
     if (out->n_threads == 0) {
         const long n = sysconf(_SC_NPROCESSORS_ONLN);
         out->n_threads = n > 0 && n <= 1024 ? (int)n : 1;

@@ -3,6 +3,7 @@
 #include <argp.h>
 #include <stddef.h>
 
+#include "exk/args.h"
 #include "exk/version.h"
 
 enum { KEY_URL = 256, KEY_ONCE };
@@ -60,8 +61,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 void twin_options_parse(int argc, char **argv, twin_options *out)
 {
     static const struct argp argp = {options, parse, "PROFILE", doc, NULL, NULL, NULL};
-    argp_program_version = "exk-twin " EXK_VERSION;
-    argp_err_exit_status = 2;
     *out = (twin_options){.profile_path = NULL};
-    argp_parse(&argp, argc, argv, 0, NULL, out);
+    exk_args_parse(&argp, "exk-twin " EXK_VERSION, argc, argv, out);
 }

@@ -1,4 +1,4 @@
-/** Numbers and names on a command line: said clearly when they are wrong (exit through argp_error).
+/** A command line, its numbers and names: said clearly when they are wrong (exit through argp_error).
  *
  *  what    the option with its dashes, for the message: "--seconds".
  */
@@ -8,6 +8,11 @@
 #include <argp.h>
 #include <stdbool.h>
 #include <stdint.h>
+
+/** Parses a command line: --version says version, "exk-log 0.1.0"; wrong use is said and ends with 2. out is
+ *  the parser's input. */
+void exk_args_parse(const struct argp *argp, const char *version, int argc, char **argv,
+                    void *out);
 
 /** A whole number from min to max. */
 uint64_t exk_args_whole(const struct argp_state *state, const char *what, const char *arg,

@@ -135,8 +135,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 void loop_options_parse(int argc, char **argv, loop_options *out)
 {
     static const struct argp argp = {options, parse, "PROFILE", doc, NULL, NULL, NULL};
-    argp_program_version = "exk-loop " EXK_VERSION;
-    argp_err_exit_status = 2;
     *out = (loop_options){.profile_path = NULL};
-    argp_parse(&argp, argc, argv, 0, NULL, out);
+    exk_args_parse(&argp, "exk-loop " EXK_VERSION, argc, argv, out);
 }

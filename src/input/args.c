@@ -7,6 +7,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { EXIT_WRONG_USE = 2 };
+
+void exk_args_parse(const struct argp *argp, const char *version, int argc, char **argv,
+                    void *out)
+{
+    argp_program_version = version;
+    argp_err_exit_status = EXIT_WRONG_USE;
+    argp_parse(argp, argc, argv, 0, NULL, out);
+}
+
 uint64_t exk_args_whole(const struct argp_state *state, const char *what, const char *arg,
                         uint64_t min, uint64_t max)
 {
