@@ -3,7 +3,8 @@
  *  Bytes    little-endian: magic "EXKILC\0\0", u32 version, u32 header bytes, u64 job hash, f64 dt_s,
  *           u32 iteration, u32 axes, u64 samples, f64 u[axes][samples], u32 CRC-32 of all before.
  *  Save     NAME.new, write, fsync; a good NAME becomes NAME.prev as well; rename, fsync of the folder:
- *           a crash or a power cut at any point leaves the old one or the new one.
+ *           a crash or a power cut at any point leaves the old one or the new one. Savers in one folder
+ *           take turns (a lock on it); one that waits for 10 s gives up.
  *  Load     NAME, or NAME.prev when NAME is missing or not good: is_previous is set then, and why says
  *           what is wrong with NAME. Refused when neither is good.
  *  Errors   exk_store_err, with a message that names file, what, found and allowed.

@@ -13,6 +13,7 @@
 
 #include "store_file.h"
 #include "store_on.h"
+#include "store_os.h"
 
 enum { VERSION = 1, HEADER_BYTES = 48, CRC_BYTES = 4, SAMPLES_MAX = 100000000 };
 static const unsigned char magic[8] = {'E', 'X', 'K', 'I', 'L', 'C', 0, 0};
@@ -290,7 +291,17 @@ exk_store_err store_save_on(const store_os *os, const char *path, const exk_stor
 exk_store_err exk_store_save(const char *path, const exk_store *store, char *why,
                              size_t why_size)
 {
-    return store_save_on(store_os_posix(), path, store, why, why_size);
+    int lock = -1;
+    if (!store_os_lock(path, &lock)) {
+        snprintf(why, why_size,
+                 "%s: another process has been saving a store in this folder for 10 s; nothing "
+                 "was written; end it, then save again",
+                 path);
+        return EXK_STORE_IO;
+    }
+    const exk_store_err err = store_save_on(store_os_posix(), path, store, why, why_size);
+    store_os_unlock(lock);
+    return err;
 }
 
 exk_store_err exk_store_match(const exk_store *store, uint64_t job_hash, double dt_s,

@@ -1,10 +1,18 @@
-#define _POSIX_C_SOURCE 200809L
+#define _DEFAULT_SOURCE
 #include "store_os.h"
 
+#include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdio.h>
+#include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
+
+enum { LOCK_TRIES = 500 };
+static const struct timespec lock_pause = {.tv_nsec = 20000000};
 
 static int do_open(void *ctx, const char *path, int flags)
 {
@@ -67,4 +75,33 @@ static const store_os posix_calls = {do_open,  do_read,   do_write, do_size,   d
 const store_os *store_os_posix(void)
 {
     return &posix_calls;
+}
+
+static int open_folder_of(const char *path)
+{
+    char folder[PATH_MAX];
+    const char *slash = strrchr(path, '/');
+    const int length = slash == NULL || slash == path ? 1 : (int)(slash - path);
+    snprintf(folder, sizeof folder, "%.*s", length, slash == NULL ? "." : path);
+    return open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+}
+
+bool store_os_lock(const char *path, int *fd)
+{
+    *fd = open_folder_of(path);
+    for (int i = 0; *fd >= 0 && i < LOCK_TRIES; i++) {
+        if (flock(*fd, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) {
+            return true;
+        }
+        nanosleep(&lock_pause, NULL);
+    }
+    store_os_unlock(*fd);
+    return *fd < 0;
+}
+
+void store_os_unlock(int fd)
+{
+    if (fd >= 0) {
+        close(fd);
+    }
 }

@@ -5,6 +5,7 @@
 #ifndef EXK_STORE_OS_H
 #define EXK_STORE_OS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <sys/types.h>
 
@@ -23,5 +24,10 @@ typedef struct {
 
 /** The system's own. */
 const store_os *store_os_posix(void);
+
+/** One saver at a time: a lock on the folder of path, given back by the system however a process ends.
+ *  Waits up to 10 s; false when it is still held then. Where folders cannot be locked, fd is as good. */
+bool store_os_lock(const char *path, int *fd);
+void store_os_unlock(int fd);
 
 #endif

@@ -53,6 +53,20 @@ expect_text err "exk-ilc: empty.ilc: damaged ILC store: it is empty; train again
 expect_code 0 "$bin/exk-ilc" train a.ini -n 1 -o empty.ilc
 expect_code 0 "$bin/exk-ilc" verify empty.ilc a.ini
 
+# several that save at once take turns: none fails, nothing is torn or lost
+for _ in 1 2 3 4 5 6 7 8; do
+    savers=
+    for n in 1 2 3 4; do
+        "$bin/exk-ilc" train a.ini -n $n -o race.ilc >/dev/null 2>race$n.err &
+        savers="$savers $!"
+    done
+    for saver in $savers; do
+        wait "$saver" || { cat race?.err >&2; fail "one of four savers failed"; }
+    done
+    expect_code 0 "$bin/exk-ilc" verify race.ilc a.ini
+done
+expect_code 0 "$bin/exk-ilc" verify race.ilc.prev a.ini
+
 # what cannot be a store at all: said, and nothing waits for a FIFO, as the store or as its previous one
 mkdir folder.ilc
 mkfifo fifo.ilc fifo_before.ilc.prev
