@@ -19,9 +19,10 @@
  *          beyond n_sigmas of it, and (1+K)/(1+K^2) of what is not noise, the sample before was a spike. d^
  *          forgets it, and the pair is rejected in the tick of the second. Asked while d^ is grown up.
  *  Stuck   the same bits n times in a row, n = stuck_s/dt (3 at least), counted only
- *          - while the reference, seen through the same servo, has moved by more than 10 quanta
- *            (1e-6 rad without a quantum) since the value last changed: a quiet dwell is constant by
- *            right, also where corrections move the command to keep it so; or
+ *          - while the reference, seen through the same servo, and x have both moved since the value
+ *            last changed, by more than 10 quanta (1e-6 rad without a quantum) and what may drift
+ *            meanwhile: a quiet dwell is constant by right, also where corrections move the command to
+ *            keep it so, and so is a turn that feedback brings before the lag would; or
  *          - where sensor noise is not below the quantum; n is then also large enough that clean
  *            samples repeat so often once in 1e9 only (a value repeats with p <= q/(2 sqrt(pi) sigma)).
  *  First   after init or reset a sample is a spike beyond start_rad + n_sigmas sqrt(2 R + (k+1) Q) +
@@ -81,6 +82,7 @@ typedef struct {
     double last_rad;      /* d - d^ of that sample, e1 */
     double raw_rad;       /* newest finite sample, good or not */
     double moved_from;    /* reference when raw last changed */
+    double expected_from; /* x then */
     int64_t n_same;       /* repeats of raw */
     int64_t k_news;       /* last tick that told something */
     int64_t n_news;       /* samples in d^; 0: nothing known */

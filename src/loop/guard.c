@@ -179,6 +179,7 @@ static bool is_stuck(const exk_guard *g, exk_guard_axis *axis, double m_rad)
     if (m_rad != axis->raw_rad) {
         axis->raw_rad = m_rad;
         axis->moved_from = axis->reference_rad;
+        axis->expected_from = axis->expected_rad;
         axis->n_same = 0;
         return false;
     }
@@ -186,8 +187,10 @@ static bool is_stuck(const exk_guard *g, exk_guard_axis *axis, double m_rad)
     if (axis->n_same < g->n_stuck || !(g->cfg.stuck_s > 0.0)) {
         return false;
     }
-    const double moved_rad = fabs(axis->reference_rad - axis->moved_from);
-    const double least_rad = fmax(moved_quanta * g->cfg.quantum_rad, moved_min_rad);
+    const double moved_rad = fmin(fabs(axis->reference_rad - axis->moved_from),
+                                  fabs(axis->expected_rad - axis->expected_from));
+    const double least_rad = fmax(moved_quanta * g->cfg.quantum_rad, moved_min_rad) +
+                             (double)axis->n_same * g->cfg.drift_rad;
     return moved_rad > least_rad || (g->n_stuck_rest > 0 && axis->n_same >= g->n_stuck_rest);
 }
 

@@ -250,6 +250,40 @@ static void ten_quanta_of_movement_are_asked_for(void)
     }
 }
 
+/* First feedback holds the command while the reference moves on, then the other way round: the value is constant
+ * by right until both have moved. */
+static void a_turn_against_the_reference_is_no_stuck_sensor(void)
+{
+    cfg.stuck_s = 0.003;
+    start();
+    const exk_reading m = reading(0.1, 0.1);
+    for (int64_t k = 0; k < 100; k++) {
+        const double moves = 0.1 + 1e-5 * (double)k;
+        const double r_rad[EXK_N_AXES] = {moves, 0.1};
+        const double q_rad[EXK_N_AXES] = {0.1, moves};
+        TEST_ASSERT_EQUAL(EXK_SAMPLE_GOOD, exk_guard_check(&guard, k, r_rad, q_rad, &m));
+    }
+    const double r_rad[EXK_N_AXES] = {0.102, 0.1};
+    const double q_rad[EXK_N_AXES] = {0.10001, 0.102};
+    TEST_ASSERT_EQUAL(EXK_SAMPLE_STUCK, exk_guard_check(&guard, 100, r_rad, q_rad, &m));
+    TEST_ASSERT_EQUAL_INT(EXK_ALPHA, guard.bad_axis);
+}
+
+/* What drifts by 1e-5 a tick may hold the value of a reference that moves by less. */
+static void a_drift_may_cancel_a_slow_reference(void)
+{
+    for (int fast = 0; fast < 2; fast++) {
+        cfg.stuck_s = 0.003;
+        cfg.drift_rad = 1e-5;
+        start();
+        exk_sample_kind kind = EXK_SAMPLE_GOOD;
+        for (int64_t k = 0; k < 100 && kind == EXK_SAMPLE_GOOD; k++) {
+            kind = judge(k, 0.1 + (fast ? 1.2e-5 : 0.9e-5) * (double)k, reading(0.1, -0.1));
+        }
+        TEST_ASSERT_EQUAL(fast ? EXK_SAMPLE_STUCK : EXK_SAMPLE_GOOD, kind);
+    }
+}
+
 /* A noise of one quantum repeats with p <= 1/(2 sqrt(pi)) = 0.28: 17 in a row once in 1e9. */
 static void noise_that_stops_is_stuck_at_rest_too(void)
 {
@@ -387,6 +421,8 @@ int main(void)
     RUN_TEST(the_expected_servo_is_that_of_the_profile);
     RUN_TEST(stuck_is_judged_while_the_reference_moves);
     RUN_TEST(ten_quanta_of_movement_are_asked_for);
+    RUN_TEST(a_turn_against_the_reference_is_no_stuck_sensor);
+    RUN_TEST(a_drift_may_cancel_a_slow_reference);
     RUN_TEST(noise_that_stops_is_stuck_at_rest_too);
     RUN_TEST(reset_forgets_the_machine_and_keeps_the_counts);
     RUN_TEST(configurations_are_refused_by_the_table);
