@@ -1,4 +1,4 @@
-foreach(test fault_product detection machine_day)
+foreach(test fault_product detection machine_day odd_moments)
     exk_test(accuracy test_${test} SOURCES ${CMAKE_CURRENT_LIST_DIR}/test_${test}.c NEEDS exk::loop)
     set_tests_properties(test_${test} PROPERTIES TIMEOUT 600)
     if(EXK_INSTRUMENTED)
