@@ -3,7 +3,7 @@
 . "$(dirname "$0")/../two/common.sh"
 hostile=$7
 expect_code 0 "$bin/exk-command" keygen op.key
-sed -e 's/^dwell_s *=.*/dwell_s = 0.05/' -e 's/^width_mm *=.*/width_mm = 100/' -e 's/^height_mm *=.*/height_mm = 60/' \
+sed -e 's/^dwell_s *=.*/dwell_s = 0.5/' -e 's/^width_mm *=.*/width_mm = 100/' -e 's/^height_mm *=.*/height_mm = 60/' \
     -e 's/^\[loop\]/[command]\nallow = yes\nkey_file = op.key\ntimeout_s = 0\n[loop]\nmissed_max = 100000/' \
     "$profiles/rectangle.ini" >p.ini
 
