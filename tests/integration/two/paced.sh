@@ -15,10 +15,11 @@ done
 loop_fifo=$(fifo_threads "$loop")
 twin_fifo=$(fifo_threads "$twin")
 ends "$loop" 0
-# every hop of an answer: LCM's thread and ours at both ends, the one that sends, the control thread
+# every hop of an answer: LCM's thread and ours at both ends, the one that sends, the control thread; a
+# sanitizer may have one of its own
 if grep -q "exk-loop: FIFO" exk-loop.err && ! grep -q "FIFO refused" exk-loop.err; then
-    [ "$loop_fifo" -eq 4 ] || fail "$loop_fifo threads of exk-loop have FIFO, not 4"
-    [ "$twin_fifo" -eq 2 ] || fail "$twin_fifo threads of exk-twin have FIFO, not 2"
+    [ "$loop_fifo" -ge 4 ] || fail "$loop_fifo threads of exk-loop have FIFO, not 4"
+    [ "$twin_fifo" -ge 2 ] || fail "$twin_fifo threads of exk-twin have FIFO, not 2"
 fi
 expect_part exk-loop.out "4 of 4 holes drilled"
 expect_part exk-loop.out "machine on the bus: "
