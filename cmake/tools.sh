@@ -75,7 +75,7 @@ run_valgrind() {
 
 run_long_forms() {
     local folder name
-    for name in detection fault_product; do
+    for name in detection fault_product odd_moments; do
         EXK_LONG=1 "build/release/tests/test_$name" || return
     done
     folder=$(mktemp -d)
