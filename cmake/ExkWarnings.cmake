@@ -28,7 +28,7 @@ if(EXK_TSAN)
     exk_instrument(-fsanitize=thread)
 endif()
 if(EXK_COVERAGE)
-    exk_instrument(--coverage -fprofile-update=atomic)
+    exk_instrument(--coverage -O0 -fprofile-update=atomic)
 endif()
 if(EXK_MCDC)
     exk_instrument(-fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc
