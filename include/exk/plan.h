@@ -93,7 +93,7 @@ exk_err exk_plan_init(exk_plan *plan, const exk_plan_config *cfg, const exk_hole
 void exk_plan_at(const exk_plan *plan, int64_t k, exk_ref *out);
 
 /** Between tick k and the next, fraction in [0, 1) of the way: for a plan that is slowed down. A
- *  fraction of 0 is tick k itself, bit for bit; else no sample is judged. */
+ *  fraction of 0 is tick k itself, bit for bit; judged is that of tick k. */
 void exk_plan_between(const exk_plan *plan, int64_t k, double fraction, exk_ref *out);
 
 /** Tool at step 1 .. n_ticks of a segment; its end from there on. */

@@ -83,7 +83,6 @@ void exk_plan_between(const exk_plan *plan, int64_t k, double fraction, exk_ref 
     exk_plan_at(plan, k + 1, &next);
     const exk_segment way = {.from = out->tool, .to = next.tool, .turns = true};
     move_along(&way, fraction, &out->tool);
-    out->judged = false;
 }
 
 int64_t exk_plan_resume(const exk_plan *plan, int64_t k)

@@ -18,16 +18,21 @@ static const exk_motion_wish go = {.go = true};
 static const exk_motion_wish rest = {.go = false, .out = false};
 static const exk_motion_wish out = {.go = false, .out = true, .wait_s = 0.01};
 
-static void plan_with(double accel_mps2)
+static void plan_of(double accel_mps2, double dwell_s)
 {
     exk_plan_config cfg = exk_plan_default();
     cfg.accel_mps2 = accel_mps2;
     cfg.clearance_m = 0.005;
     cfg.stroke_m = 0.012;
-    cfg.dwell_s = 0.05;
+    cfg.dwell_s = dwell_s;
     cfg.closed = false;
     TEST_ASSERT_EQUAL(EXK_OK, exk_plan_init(&plan, &cfg, holes, N_HOLES, segments, SEGMENTS));
     exk_motion_init(&motion);
+}
+
+static void plan_with(double accel_mps2)
+{
+    plan_of(accel_mps2, 0.05);
 }
 
 void setUp(void)
@@ -173,6 +178,21 @@ static void a_run_held_again_and_again_is_the_same_path(void)
     TEST_ASSERT_EQUAL_INT(N_HOLES, n_judged);
     TEST_ASSERT_TRUE(longest_m <= plan.cfg.feed_mps * plan.cfg.dt_s * (1.0 + 1e-9));
     TEST_ASSERT_TRUE(memcmp(&before, &segments[plan.n_segments - 1].to, sizeof before) == 0);
+}
+
+/* Without a dwell a ramp passes the judged tick between two samples: it counts when it is passed. */
+static void a_hold_anywhere_loses_no_hole(void)
+{
+    plan_of(1.0, 0.0);
+    for (int64_t stop = 1; stop < plan.n_ticks; stop++) {
+        int n_judged = 0;
+        exk_motion_init(&motion);
+        for (int64_t k = 0; motion.j < plan.n_ticks && k < 200000; k++) {
+            place(k, k >= stop && k < stop + 300 ? &rest : &go);
+            n_judged += ref.judged ? 1 : 0;
+        }
+        TEST_ASSERT_EQUAL_INT(N_HOLES, n_judged);
+    }
 }
 
 /* Whole ticks again after going on, so the rest of the run is the plan's, later. */
@@ -389,6 +409,7 @@ int main(void)
     RUN_TEST(a_hold_slows_down_and_rests_on_a_whole_tick);
     RUN_TEST(ramps_are_as_long_as_the_feed_takes);
     RUN_TEST(a_run_held_again_and_again_is_the_same_path);
+    RUN_TEST(a_hold_anywhere_loses_no_hole);
     RUN_TEST(going_on_ends_on_a_whole_tick);
     RUN_TEST(wishes_wait_for_the_end_of_a_ramp);
     RUN_TEST(skipped_ticks_count_as_gone);
